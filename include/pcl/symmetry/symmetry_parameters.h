@@ -1,0 +1,71 @@
+/** \file
+ * \brief Parameters of the symmetry estimation, one defaulted struct; the setters of the class write to it.
+ */
+#pragma once
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief How the symmetric map is found. */
+enum class Method {
+  Robust, ///< many hypotheses, scored and refined: the default, right on bodies with or without four limbs
+  Staged  ///< the published staged coarse-to-fine matching, step by step
+};
+
+/** \brief What is used as the distance of two points of the surface. */
+enum class Metric {
+  Geodesic, ///< shortest path along the surface: the result does not depend on the pose
+  Euclidean ///< straight line: faster, right only where left and right are posed alike
+};
+
+/** \brief Which feature groups the four extreme points of the staged method into two pairs (paper, section 3.1). */
+enum class PairingFeature {
+  AverageGeodesicDistance, ///< at every size: the stable choice, the default
+  MinimalGeodesicDistance, ///< at every size
+  BySurfaceSize            ///< as published: average below 30,000 points, minimal from there on
+};
+
+/** \brief Where the normals of a point cloud without faces come from. */
+enum class NormalSource {
+  Estimate, ///< from the neighbours of each point, oriented by propagation
+  Given     ///< from Surface::normals; an error where there are none
+};
+
+/** \brief Everything that can be set, with defaults; plain data.
+ *
+ * No length is absolute: a tolerance is relative to the diameter of the surface (its largest landmark
+ * distance) or to the local point spacing.
+ * \ingroup symmetry
+ */
+struct SymmetryParameters {
+  Method method = Method::Robust;
+  Metric metric = Metric::Geodesic;
+
+  /** Neighbours of a point in the graph of a cloud without faces, [3, 256]. */
+  int k_search = 10;
+  /** Longest edge of a cloud's neighbour graph, in the unit of the points; 0: no limit. */
+  float radius = 0.0F;
+  NormalSource normals = NormalSource::Estimate;
+  /** Points of a cloud whose mean neighbour distance exceeds the cloud's mean by more than this number of standard
+   * deviations are left out; 0: none are. */
+  float outlier_deviations = 0.0F;
+
+  /** Sources of full distance fields, [10, 1000]. */
+  int landmarks = 100;
+  /** Evenly spaced samples: staged: of stage 3, robust: that stand for the surface; 0: the method's own default (100
+   * and 1500), else [20, 20000]. */
+  int samples = 0;
+  /** Dimensions of the staged method's spectral embedding, [2, 20]. */
+  int embedding_dimensions = 3;
+  PairingFeature pairing = PairingFeature::AverageGeodesicDistance;
+  /** Leave out the dense map, and with it sides and axis of every point that is no sample. */
+  bool sparse_only = false;
+  /** How many distinct maps the result lists at most, the best first, [1, 100]. */
+  int alternatives = 1;
+
+  /** Worker threads, 0: as many as the machine has cores. The result does not depend on it. */
+  unsigned threads = 0;
+};
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,110 @@
+/** \file
+ * \brief What the symmetry estimation delivers: plain data, indices of the input.
+ */
+#pragma once
+
+#include <pcl/symmetry/export.h>
+#include <pcl/symmetry/surface.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Outcome of an estimation; a caller's mistake is an exception instead. */
+enum class SymmetryStatus {
+  Symmetric,    ///< a reflective symmetry was found
+  NoSymmetry,   ///< the surface has none, or none that can be trusted
+  TooFewPoints, ///< less than the method needs, after what is unusable was left out
+  Cancelled     ///< the progress callback asked to stop
+};
+
+/** \brief Name of a status as it appears in reports: symmetric, no_symmetry, too_few_points, cancelled. */
+PCL_SYMMETRY_EXPORTS const char*
+toString(SymmetryStatus status);
+
+/** \brief Which side of the symmetry axis a point is on; the values are those of the label field in files. */
+enum class Side : std::uint8_t { None = 0, Source = 1, Target = 2, Axis = 3 };
+
+/** \brief Region of a point; the values are those of the region field in files. */
+enum class Region : std::uint8_t { None = 0, Source1 = 1, Target1 = 2, Source2 = 3, Target2 = 4, Centre = 5 };
+
+/** \brief One sparse correspondence. */
+struct SymmetricMatch {
+  Index source = no_index;
+  Index target = no_index;
+  Index midpoint = no_index; ///< the point half way on the geodesic from source to target, on the axis or near it
+  float cost = 0.0F;         ///< dissimilarity of the two feature vectors, 0 is best; no unit
+};
+
+/** \brief An ordered line through points of the surface. */
+struct Polyline {
+  std::vector<Index> points; ///< consecutive points are neighbours; the first is not repeated at the end
+  bool closed = false;       ///< the last point is a neighbour of the first
+};
+
+/** \brief What was read, used and left out. */
+struct InputSummary {
+  std::size_t points = 0;           ///< of the input
+  std::size_t faces = 0;            ///< triangles of the input
+  std::size_t used = 0;             ///< points that took part
+  std::size_t non_finite = 0;       ///< points dropped since a coordinate is no finite number
+  std::size_t outside_indices = 0;  ///< points that the caller's indices leave out
+  std::size_t outliers = 0;         ///< points dropped as outliers
+  std::size_t other_components = 0; ///< points dropped since they lie outside the largest component
+  std::size_t components = 0;       ///< connected components among the finite points
+  std::size_t bridges = 0;          ///< edges added between parts of a cloud
+  std::size_t distrusted_edges = 0; ///< edges removed from a cloud's graph as shortcuts between parts in contact
+};
+
+/** \brief Properties of the dense map. */
+struct MapSummary {
+  std::size_t matched = 0;     ///< points with a partner
+  std::size_t axis = 0;        ///< points labelled Side::Axis
+  float involution = 0.0F;     ///< share of matched points v with d (m (m (v)), v) below 2 % of the diameter
+  float inverted_faces = 0.0F; ///< share of faces that the map does not turn over as a reflection does
+  float torn_faces = 0.0F;     ///< share of faces one of whose edges becomes longer than 5 % of the diameter
+  float isometry_error = 0.0F; ///< mean |d (p, q) - d (m (p), m (q))| over pairs of landmarks, share of the diameter
+};
+
+/** \brief A further map that explains the surface nearly as well. */
+struct AlternativeMap {
+  std::vector<Index> partners;      ///< as SymmetryResult::partners
+  float score = 0.0F;               ///< lower is better
+  float confidence = 0.0F;          ///< in [0, 1]
+  bool reverses_orientation = true; ///< true: a reflection; false: a rotation
+};
+
+/** \brief The result of one estimation.
+ *
+ * Every per-point array has one entry per point of the input, whatever was left out on the way: left-out points have
+ * partner -1, Side::None, Region::None and confidence 0. When the status is TooFewPoints or Cancelled the arrays
+ * hold nothing but such entries.
+ * \ingroup symmetry
+ */
+struct SymmetryResult {
+  SymmetryStatus status = SymmetryStatus::TooFewPoints;
+  std::string message;     ///< for a person: why the status is not Symmetric, or what was noticed
+  float confidence = 0.0F; ///< of the whole map, in [0, 1]
+
+  std::vector<SymmetricMatch> matches; ///< sparse correspondences: the last stage's matches
+  std::vector<Index> partners;         ///< dense map
+  std::vector<float> confidences;      ///< per point, in [0, 1]
+  std::vector<Side> sides;
+  std::vector<Region> regions;
+  std::vector<Polyline> axis; ///< the symmetry axis curve, longest part first
+  std::vector<Index> extremities;
+  std::vector<AlternativeMap> alternatives; ///< on request; the first is the map above
+
+  float diameter = 0.0F; ///< largest landmark distance, in the unit of the points
+  InputSummary input;
+  MapSummary map;
+  std::vector<std::pair<std::string, double>> seconds; ///< wall time per step, in order; steps do not overlap
+};
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,56 @@
+/** \file
+ * \brief Shortest paths on the graph of a surface: one field, many fields in bulk, single paths.
+ */
+#pragma once
+
+#include "geodesic/surface_graph.h"
+
+#include <limits>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Distance of a vertex that cannot be reached. */
+constexpr float unreachable = std::numeric_limits<float>::infinity();
+
+/** \brief Distances of all vertices from \a source. Cost about O(n) (bucket queue); exact as Dijkstra's. */
+std::vector<float>
+distanceField(const SurfaceGraph& graph, Index source);
+
+/** \brief Distances of all vertices from the nearest of several sources. */
+std::vector<float>
+distanceField(const SurfaceGraph& graph, const std::vector<Index>& sources);
+
+/** \brief Row-major matrix of distance fields: row i is the field of source i. */
+struct DistanceFields {
+  std::size_t columns = 0;
+  std::vector<float> values;
+
+  const float*
+  row(std::size_t i) const
+  {
+    return values.data() + i * columns;
+  }
+
+  std::size_t
+  rows() const
+  {
+    return columns == 0 ? 0 : values.size() / columns;
+  }
+};
+
+/** \brief One full field per source, on \a threads threads (0: all cores). The same values for any number of threads. */
+DistanceFields
+distanceFields(const SurfaceGraph& graph, const std::vector<Index>& sources, unsigned threads);
+
+/** \brief Vertices of a shortest path from \a source to \a target, both included; empty where there is none. */
+std::vector<Index>
+shortestPath(const SurfaceGraph& graph, Index source, Index target);
+
+/** \brief The vertex of a path whose distance along it from the first vertex is closest to half of the whole. */
+Index
+pathMidpoint(const SurfaceGraph& graph, const std::vector<Index>& path);
+
+} // namespace symmetry
+} // namespace pcl
