@@ -1,7 +1,19 @@
-# Build settings shared by every target of this project.
+# Build settings shared by every target of this project, and the functions that make its targets:
+#
+#   pcl_symmetry_module(<name> SOURCES ... [LINK ...])
+#   pcl_symmetry_library(<target> COMPONENT <component> DESCRIPTION <text> SOURCES ... [LINK ...] [PRIVATE_LINK ...]
+#                        [PKG_CONFIG_REQUIRES ...])
+#   pcl_symmetry_program(<name> SOURCES ... [LINK ...])
+#   pcl_symmetry_test(<name> SOURCES ... [LINK ...] [TOGETHER] [TIMEOUT <seconds>])
+#
+# Each is described above its definition. Dependencies to link (all found by the root, see PclSymmetryDependencies.cmake):
+# Threads::Threads, Eigen3::Eigen, pcl_symmetry::pcl_core (common, search, kdtree, FLANN), pcl_symmetry::pcl_io,
+# pcl_symmetry::pcl_visualization, Boost::program_options, Boost::headers (Boost.Graph), nlohmann_json::nlohmann_json,
+# benchmark::benchmark.
 include(GNUInstallDirs)
 
 option(PCL_SYMMETRY_BUILD_TESTS "Build the tests" ON)
+option(PCL_SYMMETRY_BUILD_BENCHMARKS "Build the Google Benchmark programs" OFF)
 option(PCL_SYMMETRY_WARNINGS_AS_ERRORS "Stop at a compiler warning" OFF)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -14,9 +26,23 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
-# Programs and libraries in one folder, so that they run from the build tree as they do when installed.
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+# Programs and libraries in one folder each, so that they run from the build tree as they do when installed: wherever
+# the prefix is moved to, a program finds the library beside it.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+file(RELATIVE_PATH PCL_SYMMETRY_BIN_TO_LIB ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${PCL_SYMMETRY_BIN_TO_LIB})
+
+# PCL names some fifty VTK libraries to whoever links its io: take the ones that are used, or every start pays for all.
+add_link_options(LINKER:--as-needed)
+
+find_program(PCL_SYMMETRY_CCACHE ccache)
+mark_as_advanced(PCL_SYMMETRY_CCACHE)
+if(PCL_SYMMETRY_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${PCL_SYMMETRY_CCACHE})
+endif()
 
 # No -march: an Eigen compiled for wider vectors than the distribution's PCL crashes together with it.
 # Contraction of a*b+c is off so that the same input gives the same bytes whatever the instruction set.
@@ -25,15 +51,82 @@ function(pcl_symmetry_compile_options target)
                                            $<$<BOOL:${PCL_SYMMETRY_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
-# pcl_symmetry_module(name SOURCES ... LINK ...): an internal static library of modules/<name>, whose headers are included
-# as "<name>/header.h".
+# pcl_symmetry_module(<name> SOURCES ... [LINK ...])
+#
+# An internal static library <name>_module of modules/<name>, whose headers are included as "<name>/header.h". It is
+# never installed. What a shared library exports does not belong here but in the SOURCES of pcl_symmetry_library: the
+# linker leaves out members of a static library that nothing refers to.
 function(pcl_symmetry_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;SYSTEM_INCLUDE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_library(${name}_module STATIC ${ARG_SOURCES})
   target_include_directories(${name}_module PUBLIC ${PROJECT_SOURCE_DIR}/modules ${PROJECT_SOURCE_DIR}/include)
-  if(ARG_SYSTEM_INCLUDE)
-    target_include_directories(${name}_module SYSTEM PUBLIC ${ARG_SYSTEM_INCLUDE})
-  endif()
   target_link_libraries(${name}_module PUBLIC ${ARG_LINK})
   pcl_symmetry_compile_options(${name}_module)
+endfunction()
+
+# pcl_symmetry_library(<target> COMPONENT <component> DESCRIPTION <text> SOURCES ... [LINK ...] [PRIVATE_LINK ...]
+#                      [PKG_CONFIG_REQUIRES ...])
+#
+# An installed shared library, known as pcl_symmetry::<component> here and to find_package (pcl_symmetry COMPONENTS
+# <component>), and as <target> to pkg-config. LINK is what its public headers include, PRIVATE_LINK the rest (modules
+# among it); PKG_CONFIG_REQUIRES is LINK in pkg-config's names.
+function(pcl_symmetry_library target)
+  cmake_parse_arguments(ARG "" "COMPONENT;DESCRIPTION" "SOURCES;LINK;PRIVATE_LINK;PKG_CONFIG_REQUIRES" ${ARGN})
+  add_library(${target} SHARED ${ARG_SOURCES})
+  add_library(pcl_symmetry::${ARG_COMPONENT} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${ARG_COMPONENT} VERSION ${PROJECT_VERSION}
+                                             SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+                                       PRIVATE ${PROJECT_SOURCE_DIR}/modules)
+  target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
+  pcl_symmetry_compile_options(${target})
+
+  install(TARGETS ${target} EXPORT pcl_symmetry-${ARG_COMPONENT} DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT pcl_symmetry-${ARG_COMPONENT} FILE pcl_symmetry-${ARG_COMPONENT}.cmake NAMESPACE pcl_symmetry::
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_symmetry)
+
+  set(PKG_CONFIG_NAME ${target})
+  set(PKG_CONFIG_DESCRIPTION ${ARG_DESCRIPTION})
+  list(JOIN ARG_PKG_CONFIG_REQUIRES " " PKG_CONFIG_REQUIRES)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/pcl_symmetry.pc.in ${PROJECT_BINARY_DIR}/${target}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${target}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+# pcl_symmetry_program(<name> SOURCES ... [LINK ...])
+#
+# An installed program; it knows the project's version as PCL_SYMMETRY_VERSION.
+function(pcl_symmetry_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK})
+  target_compile_definitions(${name} PRIVATE PCL_SYMMETRY_VERSION="${PROJECT_VERSION}")
+  pcl_symmetry_compile_options(${name})
+  install(TARGETS ${name} DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()
+
+# pcl_symmetry_test(<name> SOURCES ... [LINK ...] [TOGETHER] [TIMEOUT <seconds>])
+#
+# A GoogleTest program <name>, linked with GTest::gtest_main. To ctest each of its cases is a test of its own, called
+# <folder>/<suite>.<case>; with TOGETHER the program is one test, which is the better choice where cases share a
+# fixture that is costly to set up. TIMEOUT (default 120) holds for one test.
+function(pcl_symmetry_test name)
+  cmake_parse_arguments(ARG "TOGETHER" "TIMEOUT" "SOURCES;LINK" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/test)
+  pcl_symmetry_compile_options(${name})
+
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  if(ARG_TOGETHER)
+    add_test(NAME ${folder}/${name} COMMAND ${name})
+    set_tests_properties(${folder}/${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${folder})
+  else()
+    gtest_discover_tests(${name} TEST_PREFIX ${folder}/ DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+                         PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${folder})
+  endif()
 endfunction()
