@@ -40,7 +40,8 @@ struct DistanceFields {
   }
 };
 
-/** \brief One full field per source, on \a threads threads (0: all cores). The same values for any number of threads. */
+/** \brief One full field per source, on \a threads threads (0: all cores). The same values for any number of threads.
+ */
 DistanceFields
 distanceFields(const SurfaceGraph& graph, const std::vector<Index>& sources, unsigned threads);
 

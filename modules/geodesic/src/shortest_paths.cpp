@@ -1,0 +1,91 @@
+#include "geodesic/shortest_paths.h"
+
+#include "geodesic/bucket_queue.h"
+#include "geodesic/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+const auto ignore_improvement = [](Index, Index) {
+};
+
+} // namespace
+
+std::vector<float>
+distanceField(const SurfaceGraph& graph, const std::vector<Index>& sources)
+{
+  std::vector<float> field(graph.size(), unreachable);
+  for (const Index source : sources) {
+    field[source] = 0.0F;
+  }
+  BucketQueue(graph).relax(sources, field.data(), ignore_improvement);
+  return field;
+}
+
+std::vector<float>
+distanceField(const SurfaceGraph& graph, Index source)
+{
+  return distanceField(graph, std::vector<Index>{source});
+}
+
+DistanceFields
+distanceFields(const SurfaceGraph& graph, const std::vector<Index>& sources, unsigned threads)
+{
+  DistanceFields fields;
+  fields.columns = graph.size();
+  fields.values.assign(sources.size() * graph.size(), unreachable);
+  parallelBlocks(sources.size(), 1, threads, [&] {
+    return [&, queue = BucketQueue(graph)](std::size_t begin, std::size_t end) mutable {
+      for (std::size_t i = begin; i < end; ++i) {
+        float* field = fields.values.data() + i * fields.columns;
+        field[sources[i]] = 0.0F;
+        queue.relax({sources[i]}, field, ignore_improvement);
+      }
+    };
+  });
+  return fields;
+}
+
+std::vector<Index>
+shortestPath(const SurfaceGraph& graph, Index source, Index target)
+{
+  std::vector<float> field(graph.size(), unreachable);
+  std::vector<Index> previous(graph.size(), no_index);
+  field[target] = 0.0F;
+  // Searched from the target, so that following `previous` runs from the source to the target.
+  BucketQueue(graph).relax({target}, field.data(), [&previous](Index v, Index from) { previous[v] = from; });
+  std::vector<Index> path;
+  if (field[source] == unreachable) {
+    return path;
+  }
+  for (Index v = source; v != no_index; v = previous[v]) {
+    path.push_back(v);
+  }
+  return path;
+}
+
+Index
+pathMidpoint(const SurfaceGraph& graph, const std::vector<Index>& path)
+{
+  std::vector<double> along(path.size(), 0.0);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const auto begin = graph.neighbours.begin() + graph.offsets[path[i - 1]];
+    const auto end = graph.neighbours.begin() + graph.offsets[path[i - 1] + 1];
+    const auto edge = std::lower_bound(begin, end, path[i]);
+    along[i] = along[i - 1] + graph.lengths[static_cast<std::size_t>(edge - graph.neighbours.begin())];
+  }
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (std::abs(along[i] - 0.5 * along.back()) < std::abs(along[best] - 0.5 * along.back())) {
+      best = i;
+    }
+  }
+  return path.empty() ? no_index : path[best];
+}
+
+} // namespace symmetry
+} // namespace pcl
