@@ -1,0 +1,30 @@
+/** \file
+ * \brief What a method (staged or robust) hands on: plain data on the points of a prepared surface.
+ */
+#pragma once
+
+#include <pcl/symmetry/symmetry_result.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Symmetric map of a prepared surface; arrays have one entry per point of it. */
+struct MapEstimate {
+  SymmetryStatus status = SymmetryStatus::NoSymmetry;
+  std::string message; ///< why the status is not Symmetric
+  float confidence = 0.0F;
+  std::vector<Index> partners;      ///< empty where only sparse matches were asked for
+  std::vector<float> confidences;   ///< per point, in [0, 1]
+  std::vector<float> side_function; ///< positive on the source side, negative on the target side, 0 undecided
+  std::vector<Region> regions;
+  std::vector<SymmetricMatch> matches;
+  std::vector<Index> extremities;
+  std::vector<AlternativeMap> alternatives;
+  float diameter = 0.0F; ///< largest landmark distance, in the unit of the prepared surface
+};
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,47 @@
+/** \file
+ * \brief What every method starts from: the usable part of a surface, at unit scale, with its graph.
+ */
+#pragma once
+
+#include "geodesic/neighbour_graph.h"
+#include "geodesic/surface_graph.h"
+
+#include <pcl/symmetry/symmetry_parameters.h>
+#include <pcl/symmetry/symmetry_result.h>
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief The largest component of the finite points of a surface.
+ *
+ * Points are moved and scaled so that the bounding box is centred at the origin and its longest side is 1: whatever the
+ * unit of the input, floats neither overflow nor underflow. Point i here is point \a original[i] of the input; the
+ * order is kept.
+ */
+struct PreparedSurface {
+  std::vector<Vector3> points;
+  std::vector<Triangle> triangles; ///< without degenerate ones; empty for a cloud
+  std::vector<Vector3> normals;    ///< consistently oriented (outward or inward), unit length
+  SurfaceGraph graph;              ///< mesh edges, or a neighbour graph of the cloud
+  std::vector<Index> original;     ///< input index of each point
+  float scale = 1.0F;              ///< length here = scale * length in the input
+  InputSummary summary;
+
+  std::size_t
+  size() const
+  {
+    return points.size();
+  }
+};
+
+/** \brief Drops what cannot be used, normalises the rest and builds its graph.
+ * \param[in] surface the input; triangle indices must be in range
+ * \param[in] search nearest-neighbour search; used for clouds only
+ */
+PreparedSurface
+prepareSurface(const Surface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search);
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,85 @@
+/** \file
+ * \brief Names, times and announces the steps of a run.
+ */
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Thrown when the progress callback asks to stop; caught by the pipeline, never seen by a caller. */
+struct Cancelled {};
+
+/** \brief Wall time per step: starting a step ends the one before it, so steps do not overlap.
+ *
+ * A step that is started again adds to its earlier time.
+ */
+class StepTimer {
+public:
+  /** \brief Called with the name of a step as it starts; return false to cancel. */
+  using Callback = bool (*)(const char* step, double fraction, void* context);
+
+  StepTimer() = default;
+  StepTimer(Callback callback, void* context) : callback_(callback), context_(context)
+  {
+  }
+
+  /** \brief Starts a step.
+   * \param[in] name as in the report
+   * \param[in] fraction share of the whole work that is done, in [0, 1]
+   * \throws Cancelled the callback returned false */
+  void
+  start(const char* name, double fraction)
+  {
+    stop();
+    if (callback_ != nullptr && !callback_(name, fraction, context_)) {
+      throw Cancelled{};
+    }
+    running_ = entry(name);
+    begin_ = Clock::now();
+  }
+
+  void
+  stop()
+  {
+    if (running_ != none) {
+      seconds_[running_].second += std::chrono::duration<double>(Clock::now() - begin_).count();
+      running_ = none;
+    }
+  }
+
+  const std::vector<std::pair<std::string, double>>&
+  seconds() const
+  {
+    return seconds_;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  std::size_t
+  entry(const char* name)
+  {
+    for (std::size_t i = 0; i < seconds_.size(); ++i) {
+      if (seconds_[i].first == name) {
+        return i;
+      }
+    }
+    seconds_.emplace_back(name, 0.0);
+    return seconds_.size() - 1;
+  }
+
+  Callback callback_ = nullptr;
+  void* context_ = nullptr;
+  std::vector<std::pair<std::string, double>> seconds_;
+  std::size_t running_ = none;
+  Clock::time_point begin_;
+};
+
+} // namespace symmetry
+} // namespace pcl
