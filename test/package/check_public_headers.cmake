@@ -1,0 +1,11 @@
+# cmake -D INCLUDE_DIR=... -P check_public_headers.cmake
+file(GLOB_RECURSE headers ${INCLUDE_DIR}/*.h ${INCLUDE_DIR}/*.hpp)
+if(NOT headers)
+  message(FATAL_ERROR "no headers under ${INCLUDE_DIR}")
+endif()
+foreach(header IN LISTS headers)
+  file(STRINGS ${header} found REGEX "#[ ]*include[ ]*[<\"](flann/|vtk|pcl/io/|pcl/visualization/|[^/]*_module)")
+  if(found)
+    message(SEND_ERROR "${header}: ${found}")
+  endif()
+endforeach()
