@@ -1,0 +1,74 @@
+/** \file
+ * \brief Runs the estimation on models of a data set and scores the maps.
+ */
+#pragma once
+
+#include "benchmark/data_set.h"
+#include "benchmark/metrics.h"
+
+#include <pcl/symmetry/symmetry_parameters.h>
+#include <pcl/symmetry/symmetry_result.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief How the models are run. */
+struct RunOptions {
+  SymmetryParameters parameters;
+  bool as_cloud = false; ///< without the faces; the map is scored on the mesh all the same
+};
+
+/** \brief What came out for one model. Points are those of the model's file. */
+struct ModelRun {
+  BenchmarkModel model;
+  std::string failure; ///< why there is no result; empty where there is one
+  std::size_t points = 0;
+  std::size_t faces = 0; ///< of the file, also where they were not used
+
+  SymmetryStatus status = SymmetryStatus::TooFewPoints;
+  std::string message;     ///< SymmetryResult::message
+  float confidence = 0.0F; ///< of the whole map
+  std::vector<Index> partners;
+  std::vector<float> confidences;
+  MapSummary map;
+  std::vector<std::pair<std::string, double>> seconds; ///< per step of the estimation
+
+  std::optional<MapScore> score; ///< of the map as delivered, whatever the status; nothing without ground truth
+
+  /** \brief Correspondence Rate; 0 after a failure or without ground truth. */
+  double
+  correspondenceRate() const
+  {
+    return score ? score->correspondenceRate() : 0.0;
+  }
+
+  /** \brief Time of the estimation: the sum of its steps. */
+  double
+  totalSeconds() const;
+};
+
+/** \brief Runs and scores one model; a failure of any kind is part of the result. */
+ModelRun
+runModel(const BenchmarkModel& model, const RunOptions& options);
+
+/** \brief Runs several models, \a jobs at a time.
+ *
+ * \param[in] models
+ * \param[in] options for all of them
+ * \param[in] jobs models at a time, 0: as many as there are cores
+ * \param[in] finished called once per model, in the order of \a models and from one thread at a time
+ * \return one run per model, in the order of \a models
+ */
+std::vector<ModelRun>
+runModels(const std::vector<BenchmarkModel>& models,
+          const RunOptions& options,
+          unsigned jobs,
+          const std::function<void(const ModelRun&)>& finished = {});
+
+} // namespace symmetry
+} // namespace pcl

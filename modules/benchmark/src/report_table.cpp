@@ -1,0 +1,141 @@
+#include "benchmark/report_table.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <ostream>
+#include <string>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** A number with a fixed number of decimals, aligned to the right. */
+std::string
+number(double value, int width, int decimals)
+{
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%*.*f", width, decimals, value);
+  return text.data();
+}
+
+std::string
+percent(double share, int width)
+{
+  return number(100.0 * share, width, 1);
+}
+
+std::string
+left(const std::string& text, std::size_t width)
+{
+  return text + std::string(width - std::min(width, text.size()), ' ');
+}
+
+std::string
+right(const std::string& text, std::size_t width)
+{
+  return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+constexpr std::size_t name_width = 28;
+
+void
+printSummary(std::ostream& out, const GroupSummary& summary, const std::string& name)
+{
+  out << left(name, name_width) << right(std::to_string(summary.models), 7) << percent(summary.correspondence_rate, 8)
+      << percent(summary.mesh_rate, 8) << number(summary.mean_geodesic_error, 9, 4);
+  for (const double share : summary.below)
+    out << percent(share, 7);
+  out << right(std::to_string(summary.symmetric), 10) << number(summary.mean_confidence, 8, 3)
+      << number(summary.mean_seconds, 9, 3);
+  if (summary.failed > 0)
+    out << "  " << summary.failed << " failed";
+  out << '\n';
+}
+
+void
+printSteps(std::ostream& out, const ModelRun& run)
+{
+  const std::string indent(4, ' ');
+  out << indent << "seconds:";
+  for (const auto& [step, seconds] : run.seconds)
+    out << ' ' << step << number(seconds, 0, 3).insert(0, " ") << ',';
+  out << " total " << number(run.totalSeconds(), 0, 3) << '\n';
+  out << indent << "map: " << run.map.matched << " matched, " << run.map.axis << " on the axis, involution "
+      << number(run.map.involution, 0, 4) << ", inverted faces " << number(run.map.inverted_faces, 0, 4)
+      << ", torn faces " << number(run.map.torn_faces, 0, 4) << ", isometry error "
+      << number(run.map.isometry_error, 0, 4) << '\n';
+  if (!run.message.empty())
+    out << indent << "message: " << run.message << '\n';
+}
+
+} // namespace
+
+void
+printModelHeader(std::ostream& out)
+{
+  out << left("model", name_width) << right("points", 9) << right("rate %", 8) << right("error", 8)
+      << right("matched", 11) << right("conf.", 8) << right("seconds", 9) << "  status\n";
+}
+
+void
+printModel(std::ostream& out, const ModelRun& run, bool verbose)
+{
+  out << left(run.model.set + "/" + run.model.name, name_width) << right(std::to_string(run.points), 9);
+  if (!run.failure.empty()) {
+    out << "  failed: " << run.failure << '\n';
+    return;
+  }
+  if (run.score)
+    out << percent(run.score->correspondenceRate(), 8) << number(run.score->meanGeodesicError(), 8, 4)
+        << right(std::to_string(run.score->matched) + "/" + std::to_string(run.score->errors.size()), 11);
+  else
+    out << right("-", 8) << right("-", 8) << right("-", 11);
+  out << number(run.confidence, 8, 3) << number(run.totalSeconds(), 9, 3) << "  " << toString(run.status) << '\n';
+  if (verbose)
+    printSteps(out, run);
+}
+
+void
+printSummaries(std::ostream& out, const std::vector<GroupSummary>& classes, const std::vector<GroupSummary>& sets)
+{
+  out << left("class", name_width) << right("models", 7) << right("rate %", 8) << right("mesh %", 8)
+      << right("error", 9);
+  for (const double threshold : error_thresholds)
+    out << right("<" + number(threshold, 0, 2), 7);
+  out << right("symmetric", 10) << right("conf.", 8) << right("seconds", 9) << '\n';
+  for (const GroupSummary& set : sets) {
+    for (const GroupSummary& one : classes)
+      if (one.set == set.set)
+        printSummary(out, one, one.set + "/" + one.class_name);
+    printSummary(out, set, set.set + " (mean of classes)");
+  }
+}
+
+void
+printConfidence(std::ostream& out, const std::vector<ModelRun>& runs)
+{
+  const std::vector<Judgement> maps = judgeMaps(runs);
+  const auto right_maps = std::count_if(maps.begin(), maps.end(), [](const Judgement& j) { return j.right; });
+  out << "map confidence: " << right_maps << " of " << maps.size() << " maps right, area under the ROC curve ";
+  const std::optional<double> area = areaUnderRoc(maps);
+  out << (area ? number(*area, 0, 4) : "undefined (no right or no wrong map)") << '\n';
+
+  const std::vector<CoveragePoint> curve = coverageCurve(judgeVertices(runs), 5);
+  if (curve.empty())
+    return;
+  out << "vertex confidence: right";
+  for (const CoveragePoint& point : curve)
+    out << (point.coverage == curve.front().coverage ? " " : ", ") << percent(point.accuracy, 0) << " % of the best "
+        << number(100.0 * point.coverage, 0, 0) << " %";
+  out << '\n';
+}
+
+void
+printScore(std::ostream& out, const MapScore& score)
+{
+  out << "correspondence rate " << number(score.correspondenceRate(), 0, 4) << "  mean geodesic error "
+      << number(score.meanGeodesicError(), 0, 4) << "  matched " << score.matched << '/' << score.errors.size() << '\n';
+}
+
+} // namespace symmetry
+} // namespace pcl

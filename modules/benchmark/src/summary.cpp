@@ -1,0 +1,130 @@
+#include "benchmark/summary.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+bool
+isScored(const ModelRun& run)
+{
+  return !run.model.truth.empty();
+}
+
+double
+shareBelow(const ModelRun& run, double threshold)
+{
+  return run.score ? run.score->shareBelow(threshold) : 0.0;
+}
+
+GroupSummary
+summariseRun(const ModelRun& run)
+{
+  GroupSummary summary;
+  summary.set = run.model.set;
+  summary.class_name = run.model.class_name;
+  summary.models = 1;
+  summary.failed = run.failure.empty() ? 0 : 1;
+  summary.symmetric = run.failure.empty() && run.status == SymmetryStatus::Symmetric ? 1 : 0;
+  summary.correspondence_rate = run.correspondenceRate();
+  summary.mesh_rate = run.score && run.score->isRight() ? 1.0 : 0.0;
+  summary.mean_geodesic_error = run.score ? run.score->meanGeodesicError() : 1.0;
+  for (std::size_t i = 0; i < error_thresholds.size(); ++i)
+    summary.below[i] = shareBelow(run, error_thresholds[i]);
+  summary.mean_confidence = run.confidence;
+  summary.mean_seconds = run.totalSeconds();
+  return summary;
+}
+
+/** Mean of the figures and sum of the counts; all members have the same weight. */
+GroupSummary
+average(const std::vector<GroupSummary>& members)
+{
+  GroupSummary mean;
+  mean.set = members.front().set;
+  const double weight = 1.0 / static_cast<double>(members.size());
+  for (const GroupSummary& member : members) {
+    mean.models += member.models;
+    mean.failed += member.failed;
+    mean.symmetric += member.symmetric;
+    mean.correspondence_rate += weight * member.correspondence_rate;
+    mean.mesh_rate += weight * member.mesh_rate;
+    mean.mean_geodesic_error += weight * member.mean_geodesic_error;
+    for (std::size_t i = 0; i < mean.below.size(); ++i)
+      mean.below[i] += weight * member.below[i];
+    mean.mean_confidence += weight * member.mean_confidence;
+    mean.mean_seconds += weight * member.mean_seconds;
+  }
+  return mean;
+}
+
+/** Members that share a key, groups in the order in which their keys first occur. */
+template <typename Member, typename Key>
+std::vector<std::vector<Member>>
+groupBy(const std::vector<Member>& members, Key key)
+{
+  std::vector<std::vector<Member>> groups;
+  for (const Member& member : members) {
+    const auto group = std::find_if(groups.begin(), groups.end(),
+                                    [&](const auto& other) { return key(other.front()) == key(member); });
+    if (group == groups.end())
+      groups.push_back({member});
+    else
+      group->push_back(member);
+  }
+  return groups;
+}
+
+} // namespace
+
+std::vector<GroupSummary>
+summariseClasses(const std::vector<ModelRun>& runs)
+{
+  std::vector<GroupSummary> models;
+  for (const ModelRun& run : runs)
+    if (isScored(run))
+      models.push_back(summariseRun(run));
+  std::vector<GroupSummary> classes;
+  for (const auto& group : groupBy(models, [](const GroupSummary& m) { return std::make_pair(m.set, m.class_name); })) {
+    classes.push_back(average(group));
+    classes.back().class_name = group.front().class_name;
+  }
+  return classes;
+}
+
+std::vector<GroupSummary>
+summariseSets(const std::vector<GroupSummary>& classes)
+{
+  std::vector<GroupSummary> sets;
+  for (const auto& group : groupBy(classes, [](const GroupSummary& c) { return c.set; }))
+    sets.push_back(average(group));
+  return sets;
+}
+
+std::vector<ErrorCurve>
+errorCurves(const std::vector<ModelRun>& runs, double largest, int steps)
+{
+  std::vector<const ModelRun*> scored;
+  for (const ModelRun& run : runs)
+    if (isScored(run))
+      scored.push_back(&run);
+  std::vector<ErrorCurve> curves;
+  for (const auto& group : groupBy(scored, [](const ModelRun* run) { return run->model.set; })) {
+    ErrorCurve curve;
+    curve.name = group.front()->model.set;
+    for (int step = 0; step <= steps; ++step) {
+      const double threshold = largest * step / steps;
+      double sum = 0.0;
+      for (const ModelRun* run : group)
+        sum += shareBelow(*run, threshold);
+      curve.thresholds.push_back(threshold);
+      curve.shares.push_back(sum / static_cast<double>(group.size()));
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+} // namespace symmetry
+} // namespace pcl
