@@ -26,9 +26,11 @@ struct BenchmarkModel {
  *   where the class is the model's name without the digits at its end; when no such class is there, and only
  *   one .pid file (SCAPE), that one is for all models.
  * - Otherwise surface files in it: `<model>_sym.txt`, or else `sym.txt` for all of them, is the dense ground truth;
- * without either the models have none. They form one class of the folder's name. \param[in] folder a data set, or a
- * folder that holds data sets \return ordered by set, then by name, numbers in names by value \throws pcl::IOException
- * \a folder is none, cannot be read, or no model is in it
+ *   without either the models have none. They form one class of the folder's name.
+ *
+ * \param[in] folder a data set, or a folder that holds data sets
+ * \return ordered by set, then by name, numbers in names by value
+ * \throws pcl::IOException \a folder is none, cannot be read, or no model is in it
  */
 std::vector<BenchmarkModel>
 findModels(const std::string& folder);
