@@ -40,6 +40,14 @@ buildGraph(std::size_t n, const std::vector<GraphEdge>& edges);
 SurfaceGraph
 buildMeshGraph(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles);
 
+/** \brief Length of the edge between two vertices; infinity where there is none. Cost O(log degree). */
+float
+edgeLength(const SurfaceGraph& graph, Index a, Index b);
+
+/** \brief Whether an edge joins two vertices. Cost O(log degree). */
+bool
+areNeighbours(const SurfaceGraph& graph, Index a, Index b);
+
 /** \brief Connected components: the number of each vertex's component, ordered by falling size (ties: the one with the
  * lowest vertex first), and their sizes. */
 struct Components {

@@ -3,7 +3,6 @@
 #include "geodesic/bucket_queue.h"
 #include "geodesic/parallel.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pcl {
@@ -73,10 +72,7 @@ pathMidpoint(const SurfaceGraph& graph, const std::vector<Index>& path)
 {
   std::vector<double> along(path.size(), 0.0);
   for (std::size_t i = 1; i < path.size(); ++i) {
-    const auto begin = graph.neighbours.begin() + graph.offsets[path[i - 1]];
-    const auto end = graph.neighbours.begin() + graph.offsets[path[i - 1] + 1];
-    const auto edge = std::lower_bound(begin, end, path[i]);
-    along[i] = along[i - 1] + graph.lengths[static_cast<std::size_t>(edge - graph.neighbours.begin())];
+    along[i] = along[i - 1] + edgeLength(graph, path[i - 1], path[i]);
   }
   std::size_t best = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {

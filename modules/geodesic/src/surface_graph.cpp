@@ -3,6 +3,7 @@
 #include "geodesic/vector_math.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace pcl {
@@ -81,6 +82,23 @@ buildMeshGraph(const std::vector<Vector3>& points, const std::vector<Triangle>& 
     }
   }
   return buildGraph(points.size(), edges);
+}
+
+float
+edgeLength(const SurfaceGraph& graph, Index a, Index b)
+{
+  const auto begin = graph.neighbours.begin() + graph.offsets[a];
+  const auto end = graph.neighbours.begin() + graph.offsets[a + 1];
+  const auto edge = std::lower_bound(begin, end, b);
+  return edge != end && *edge == b ? graph.lengths[static_cast<std::size_t>(edge - graph.neighbours.begin())]
+                                   : std::numeric_limits<float>::infinity();
+}
+
+bool
+areNeighbours(const SurfaceGraph& graph, Index a, Index b)
+{
+  return std::binary_search(graph.neighbours.begin() + graph.offsets[a],
+                            graph.neighbours.begin() + graph.offsets[a + 1], b);
 }
 
 Components
