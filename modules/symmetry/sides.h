@@ -1,0 +1,44 @@
+/** \file
+ * \brief Which side of the symmetry axis each vertex lies on (paper, section 3.3, side decision).
+ */
+#pragma once
+
+#include "geodesic/shortest_paths.h"
+#include "geodesic/surface_graph.h"
+
+#include <pcl/symmetry/symmetry_result.h>
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Votes of the matched pairs: (pairs whose source end is nearer - pairs whose target end is) / pairs.
+ *
+ * Where the vote is a draw the mean relative difference of the distances decides; it weighs less than half a vote. A
+ * pair one of whose ends cannot be reached does not vote.
+ * \param[in] source_fields row i: distances from the source end of pair i
+ * \param[in] target_fields row i: distances from its target end
+ * \return per vertex a value in [-1, 1]: positive on the source side, negative on the target side
+ */
+std::vector<float>
+sideFunction(const DistanceFields& source_fields, const DistanceFields& target_fields);
+
+/** \brief The side function with the sign of isolated specks turned.
+ *
+ * A speck is a connected patch of one sign that holds less than 2 % of the vertices and is not the largest patch of its
+ * sign. Zeros take the sign of most of their neighbours, so that no value of the result is zero: it is its sign that
+ * labels a vertex and that the axis runs between.
+ */
+std::vector<float>
+absorbSpecks(const SurfaceGraph& graph, const std::vector<float>& side_function);
+
+/** \brief Source or target by the sign of the side function, axis where the 1-ring (with the vertex itself) holds both.
+ *
+ * A zero counts as both.
+ */
+std::vector<Side>
+labelSides(const SurfaceGraph& graph, const std::vector<float>& side_function);
+
+} // namespace symmetry
+} // namespace pcl
