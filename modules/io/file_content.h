@@ -1,0 +1,59 @@
+/** \file
+ * \brief A file read into memory, and the way every reader complains about it.
+ */
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief The bytes of one regular file. */
+class FileContent {
+public:
+  /** \brief Reads the file in one go.
+   * \throws pcl::IOException is missing, empty, a directory or another special file, or cannot be read
+   */
+  explicit FileContent(const std::string& path);
+
+  const char*
+  data() const
+  {
+    return bytes_.get();
+  }
+
+  std::size_t
+  size() const
+  {
+    return size_;
+  }
+
+  std::string_view
+  view() const
+  {
+    return {bytes_.get(), size_};
+  }
+
+  /** \brief \throws pcl::IOException "file: reason", always */
+  [[noreturn]] void
+  fail(const std::string& reason) const;
+
+  /** \brief \throws pcl::IOException "file: line n: reason", always; lines count from 1 */
+  [[noreturn]] void
+  failAtLine(std::size_t line, const std::string& reason) const;
+
+  /** \brief \throws pcl::IOException "file: byte n: reason", always; bytes count from 0 */
+  [[noreturn]] void
+  failAtByte(std::size_t byte, const std::string& reason) const;
+
+private:
+  std::string path_;
+  std::unique_ptr<char[]> bytes_;
+  std::size_t size_ = 0;
+};
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,49 @@
+/** \file
+ * \brief A file that appears whole or not at all.
+ */
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Writes beside the place of a file and moves the result there at the end.
+ *
+ * Until commit() a file that was there before stays as it was; without commit() nothing is left behind. A link is
+ * followed. A device or a pipe (/dev/stdout) cannot be replaced and is written to directly.
+ */
+class OutputFile {
+public:
+  /** \brief Creates the temporary file. \throws pcl::IOException the folder is missing or cannot be written to */
+  explicit OutputFile(const std::string& path);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile&
+  operator=(const OutputFile&) = delete;
+  ~OutputFile();
+
+  /** \brief \throws pcl::IOException cannot be written, for instance since the disk is full */
+  void
+  write(std::string_view bytes);
+
+  /** \brief Makes the file appear. \throws pcl::IOException cannot be written or moved; nothing is left behind then */
+  void
+  commit();
+
+private:
+  [[noreturn]] void
+  failWithSystemError() const;
+
+  std::string path_;      ///< as the caller gave it, for messages
+  std::string target_;    ///< \a path_ with links followed
+  std::string temporary_; ///< empty where \a target_ is written to directly
+  int descriptor_ = -1;
+};
+
+/** \brief Writes \a content as one file, whole or not at all. \throws pcl::IOException */
+void
+writeWholeFile(const std::string& path, std::string_view content);
+
+} // namespace symmetry
+} // namespace pcl
