@@ -1,0 +1,121 @@
+/** \file
+ * \brief Bones with joints, and the flesh around them.
+ */
+#pragma once
+
+#include "model/implicit_surface.h"
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief A bone, which turns about its joint and carries the bones that name it as parent. */
+struct Bone {
+  std::string name;
+  int parent = -1;
+  Eigen::Vector3d joint = Eigen::Vector3d::Zero();
+  Eigen::Vector3d lowest_turn = Eigen::Vector3d::Zero();  ///< least angles about x, y, z in degrees
+  Eigen::Vector3d highest_turn = Eigen::Vector3d::Zero(); ///< largest ones
+};
+
+/** \brief A round cone that moves with a bone. */
+struct Flesh {
+  int bone = 0;
+  RoundCone cone;
+};
+
+/** \brief A body in its rest pose: y points up, z to the front, x to the body's left.
+ *
+ * A parent comes before its children. A symmetric plan is its own mirror image about x = 0.
+ */
+class BodyPlan {
+public:
+  /** \param[in] blend width of the rounding between pieces of flesh */
+  explicit BodyPlan(double blend) : blend_(blend)
+  {
+  }
+
+  /** \brief Adds a bone.
+   *  \return its number */
+  int
+  addBone(const std::string& name,
+          int parent,
+          const Eigen::Vector3d& joint,
+          const Eigen::Vector3d& lowest_turn,
+          const Eigen::Vector3d& highest_turn);
+
+  /** \brief Adds a piece of flesh. */
+  void
+  addFlesh(int bone, const Eigen::Vector3d& start, double start_radius, const Eigen::Vector3d& end, double end_radius);
+
+  /** \brief Adds the mirror image of every bone and piece of flesh off the plane x = 0.
+   *
+   * A bone is off the plane when its joint is; its image is called as it is, with "left" replaced by "right". */
+  void
+  mirror();
+
+  /** \brief Removes a bone, all bones that hang on it, and their flesh.
+   *  \throws std::invalid_argument there is no bone of this name */
+  void
+  remove(const std::string& name);
+
+  /** \brief Number of the bone of this name.
+   *  \throws std::invalid_argument there is none */
+  int
+  find(const std::string& name) const;
+
+  const std::vector<Bone>&
+  bones() const
+  {
+    return bones_;
+  }
+
+  const std::vector<Flesh>&
+  flesh() const
+  {
+    return flesh_;
+  }
+
+  /** \brief The skin in the rest pose. */
+  ImplicitSurface
+  surface() const;
+
+private:
+  std::vector<Bone> bones_;
+  std::vector<Flesh> flesh_;
+  double blend_;
+};
+
+/** \name Symmetric bodies */
+///@{
+BodyPlan
+humanPlan();
+BodyPlan
+quadrupedPlan();
+BodyPlan
+spiderPlan();
+BodyPlan
+birdPlan();
+///@}
+
+/** \name Bodies without a symmetry */
+///@{
+BodyPlan
+missingArmPlan();
+BodyPlan
+thirdArmPlan();
+BodyPlan
+missingLegPlan();
+BodyPlan
+handPlan();
+BodyPlan
+helixPlan();
+///@}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,74 @@
+/** \file
+ * \brief What scanners do to a surface, done to a model: each function changes one thing and keeps the truth in step.
+ *
+ * A vertex that is dropped takes its partner's truth along: the partner gets -1. Lengths are relative to the diagonal
+ * of the bounding box. The same seed gives the same bytes. Cost: linear but for cutHoles without faces (holes times
+ * points).
+ */
+#pragma once
+
+#include "model/articulated_body.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Moves every point in a random direction by a normally distributed length.
+ *  \param[in,out] model changed in place
+ *  \param[in] fraction standard deviation of the length over the diagonal, [0, 1]
+ *  \param[in] seed of the random numbers
+ *  \throws std::invalid_argument the fraction is out of range */
+void
+addNoise(Model& model, double fraction, std::uint64_t seed);
+
+/** \brief Cuts round holes of equal numbers of vertices around random vertices; what is no longer in a triangle goes
+ * too.
+ *
+ * Holes may overlap, so that less than the share may be missing. A large hole may cut a limb off.
+ *  \param[in,out] model mesh or cloud
+ *  \param[in] holes how many, at least 0
+ *  \param[in] share of the vertices that the holes take together, [0, 0.9]
+ *  \param[in] seed of the random numbers
+ *  \throws std::invalid_argument the share is out of range */
+void
+cutHoles(Model& model, std::size_t holes, double share, std::uint64_t seed);
+
+/** \brief Drops points, more and more in a random direction; drops all faces.
+ *  \param[in,out] model becomes a cloud
+ *  \param[in] ratio of the density where all points are kept to that at the far end, [1, 1000]
+ *  \param[in] seed of the random numbers
+ *  \throws std::invalid_argument the ratio is out of range */
+void
+thinOut(Model& model, double ratio, std::uint64_t seed);
+
+/** \brief Drops a share of the points at random; drops all faces.
+ *  \throws std::invalid_argument the share is not in [0, 1) */
+void
+dropPoints(Model& model, double share, std::uint64_t seed);
+
+/** \brief Makes a cloud of the mesh. */
+void
+dropFaces(Model& model);
+
+/** \brief Puts the vertices, and the triangles, into random order. */
+void
+shuffleVertices(Model& model, std::uint64_t seed);
+
+/** \brief Adds points without partner at random places of a box a tenth larger than the bounding box on every side.
+ *  \param[in,out] model mesh or cloud
+ *  \param[in] share of the points there are that is added, [0, 1]
+ *  \param[in] seed of the random numbers
+ *  \throws std::invalid_argument the share is out of range */
+void
+addOutliers(Model& model, double share, std::uint64_t seed);
+
+/** \brief Keeps the vertices that \a keep marks, and the triangles among them, in their order.
+ *  \throws std::invalid_argument \a keep has not one entry per vertex */
+void
+keepVertices(Model& model, const std::vector<char>& keep);
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,288 @@
+#include "model/disturb.h"
+
+#include "model/random_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+struct Box {
+  Vector3 low = {0, 0, 0};
+  Vector3 high = {0, 0, 0};
+
+  double
+  diagonal() const
+  {
+    double squared = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      squared += std::pow(static_cast<double>(high[k]) - static_cast<double>(low[k]), 2);
+    return std::sqrt(squared);
+  }
+};
+
+Box
+boundingBox(const Surface& surface)
+{
+  Box box;
+  if (surface.points.empty())
+    return box;
+  box.low = box.high = surface.points.front();
+  for (const Vector3& point : surface.points)
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = std::min(box.low[k], point[k]);
+      box.high[k] = std::max(box.high[k], point[k]);
+    }
+  return box;
+}
+
+void
+checkRange(const char* what, double value, double low, double high)
+{
+  if (value >= low && value <= high)
+    return;
+  std::ostringstream message;
+  message << what << " is " << value << ", allowed are " << low << " to " << high;
+  throw std::invalid_argument(message.str());
+}
+
+/** \brief Uniform on the unit sphere. */
+std::array<double, 3>
+randomDirection(RandomNumbers& random)
+{
+  const double z = random.uniform(-1.0, 1.0);
+  const double angle = random.uniform(0.0, 6.283185307179586);
+  const double radius = std::sqrt(1.0 - z * z);
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+std::vector<std::vector<Index>>
+neighbourLists(const Surface& surface)
+{
+  std::vector<std::vector<Index>> lists(surface.size());
+  for (const Triangle& t : surface.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      lists[static_cast<std::size_t>(t[k])].push_back(t[(k + 1) % 3]);
+  return lists;
+}
+
+/** \brief The first \a count vertices that a walk over the edges meets, ring by ring. */
+std::vector<Index>
+patchOnMesh(const std::vector<std::vector<Index>>& neighbours, Index seed, std::size_t count)
+{
+  std::vector<char> met(neighbours.size(), 0);
+  std::vector<Index> patch = {seed};
+  met[static_cast<std::size_t>(seed)] = 1;
+  for (std::size_t next = 0; next < patch.size() && patch.size() < count; ++next)
+    for (const Index other : neighbours[static_cast<std::size_t>(patch[next])])
+      if (met[static_cast<std::size_t>(other)] == 0) {
+        met[static_cast<std::size_t>(other)] = 1;
+        patch.push_back(other);
+      }
+  patch.resize(std::min(count, patch.size()));
+  return patch;
+}
+
+/** \brief The \a count points closest to one of them. */
+std::vector<Index>
+patchOnCloud(const Surface& surface, Index seed, std::size_t count)
+{
+  const Vector3 centre = surface.points[static_cast<std::size_t>(seed)];
+  std::vector<std::pair<double, Index>> order(surface.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    double squared = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      squared += std::pow(static_cast<double>(surface.points[i][k]) - static_cast<double>(centre[k]), 2);
+    order[i] = {squared, static_cast<Index>(i)};
+  }
+  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count - 1), order.end());
+  std::vector<Index> patch(count);
+  std::transform(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), patch.begin(),
+                 [](const auto& entry) { return entry.second; });
+  return patch;
+}
+
+/** \brief Unmarks vertices whose triangles have all lost a vertex. */
+void
+unmarkLoose(const Surface& surface, std::vector<char>& keep)
+{
+  std::vector<char> held(keep.size(), 0);
+  const auto kept = [&](Index vertex) {
+    return keep[static_cast<std::size_t>(vertex)] != 0;
+  };
+  for (const Triangle& t : surface.triangles)
+    if (std::all_of(t.begin(), t.end(), kept))
+      for (const Index vertex : t)
+        held[static_cast<std::size_t>(vertex)] = 1;
+  keep = std::move(held);
+}
+
+/** \brief Applies new vertex numbers: \a number[i] is that of vertex i, or no_index where it goes. */
+void
+renumber(Model& model, const std::vector<Index>& number, std::size_t count)
+{
+  const auto renamed = [&](Index vertex) {
+    return vertex == no_index ? no_index : number[static_cast<std::size_t>(vertex)];
+  };
+  Model result;
+  result.surface.points.resize(count);
+  result.surface.normals.resize(model.surface.normals.empty() ? 0 : count);
+  result.partners.resize(count, no_index);
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (number[i] == no_index)
+      continue;
+    const auto to = static_cast<std::size_t>(number[i]);
+    result.surface.points[to] = model.surface.points[i];
+    if (!model.surface.normals.empty())
+      result.surface.normals[to] = model.surface.normals[i];
+    result.partners[to] = renamed(model.partners[i]);
+  }
+  for (const Triangle& t : model.surface.triangles) {
+    const Triangle moved = {renamed(t[0]), renamed(t[1]), renamed(t[2])};
+    if (*std::min_element(moved.begin(), moved.end()) != no_index)
+      result.surface.triangles.push_back(moved);
+  }
+  model = std::move(result);
+}
+
+} // namespace
+
+void
+addNoise(Model& model, double fraction, std::uint64_t seed)
+{
+  checkRange("noise", fraction, 0.0, 1.0);
+  RandomNumbers random(seed);
+  const double deviation = fraction * boundingBox(model.surface).diagonal();
+  for (Vector3& point : model.surface.points) {
+    const std::array<double, 3> direction = randomDirection(random);
+    const double length = deviation * random.normal();
+    for (std::size_t k = 0; k < 3; ++k)
+      point[k] = static_cast<float>(static_cast<double>(point[k]) + length * direction[k]);
+  }
+}
+
+void
+cutHoles(Model& model, std::size_t holes, double share, std::uint64_t seed)
+{
+  checkRange("share of the holes", share, 0.0, 0.9);
+  if (holes == 0 || model.surface.points.empty())
+    return;
+  RandomNumbers random(seed);
+  const std::size_t points = model.surface.size();
+  const double each = share * static_cast<double>(points) / static_cast<double>(holes);
+  const std::size_t count = std::max<std::size_t>(1, static_cast<std::size_t>(each));
+  const bool faces = model.surface.hasFaces();
+  const std::vector<std::vector<Index>> neighbours =
+      faces ? neighbourLists(model.surface) : std::vector<std::vector<Index>>();
+  std::vector<char> keep(points, 1);
+  for (std::size_t hole = 0; hole < holes; ++hole) {
+    const auto centre = static_cast<Index>(random.index(points));
+    const std::vector<Index> patch =
+        faces ? patchOnMesh(neighbours, centre, count) : patchOnCloud(model.surface, centre, count);
+    for (const Index vertex : patch)
+      keep[static_cast<std::size_t>(vertex)] = 0;
+  }
+  if (faces)
+    unmarkLoose(model.surface, keep);
+  keepVertices(model, keep);
+}
+
+void
+thinOut(Model& model, double ratio, std::uint64_t seed)
+{
+  checkRange("density ratio", ratio, 1.0, 1000.0);
+  dropFaces(model);
+  RandomNumbers random(seed);
+  const std::array<double, 3> direction = randomDirection(random);
+  std::vector<double> along(model.surface.size(), 0.0);
+  for (std::size_t i = 0; i < along.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      along[i] += direction[k] * static_cast<double>(model.surface.points[i][k]);
+  if (along.empty())
+    return;
+  const auto [least, most] = std::minmax_element(along.begin(), along.end());
+  const double low = *least;
+  const double range = std::max(*most - low, 1e-300);
+  std::vector<char> keep(along.size());
+  for (std::size_t i = 0; i < keep.size(); ++i)
+    keep[i] = random.uniform() < std::pow(ratio, -(along[i] - low) / range) ? 1 : 0;
+  keepVertices(model, keep);
+}
+
+void
+dropPoints(Model& model, double share, std::uint64_t seed)
+{
+  checkRange("share of dropped points", share, 0.0, 1.0 - 1e-9);
+  dropFaces(model);
+  RandomNumbers random(seed);
+  std::vector<std::size_t> order(model.surface.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  random.shuffle(order);
+  std::vector<char> keep(order.size(), 1);
+  const auto dropped = static_cast<std::size_t>(share * static_cast<double>(order.size()));
+  for (std::size_t i = 0; i < dropped; ++i)
+    keep[order[i]] = 0;
+  keepVertices(model, keep);
+}
+
+void
+dropFaces(Model& model)
+{
+  model.surface.triangles.clear();
+}
+
+void
+shuffleVertices(Model& model, std::uint64_t seed)
+{
+  RandomNumbers random(seed);
+  std::vector<Index> number(model.surface.size());
+  std::iota(number.begin(), number.end(), Index{0});
+  random.shuffle(number);
+  renumber(model, number, number.size());
+  random.shuffle(model.surface.triangles);
+}
+
+void
+addOutliers(Model& model, double share, std::uint64_t seed)
+{
+  checkRange("share of outliers", share, 0.0, 1.0);
+  RandomNumbers random(seed);
+  const Box box = boundingBox(model.surface);
+  const auto count = static_cast<std::size_t>(share * static_cast<double>(model.surface.size()));
+  for (std::size_t i = 0; i < count; ++i) {
+    Vector3 point;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double low = static_cast<double>(box.low[k]);
+      const double margin = 0.1 * (static_cast<double>(box.high[k]) - low);
+      point[k] = static_cast<float>(random.uniform(low - margin, static_cast<double>(box.high[k]) + margin));
+    }
+    model.surface.points.push_back(point);
+    model.partners.push_back(no_index);
+    if (!model.surface.normals.empty())
+      model.surface.normals.push_back({0, 0, 1});
+  }
+}
+
+void
+keepVertices(Model& model, const std::vector<char>& keep)
+{
+  if (keep.size() != model.surface.size())
+    throw std::invalid_argument("there are " + std::to_string(keep.size()) + " marks for " +
+                                std::to_string(model.surface.size()) + " vertices");
+  std::vector<Index> number(keep.size(), no_index);
+  Index count = 0;
+  for (std::size_t i = 0; i < keep.size(); ++i)
+    if (keep[i] != 0)
+      number[i] = count++;
+  renumber(model, number, static_cast<std::size_t>(count));
+}
+
+} // namespace symmetry
+} // namespace pcl
