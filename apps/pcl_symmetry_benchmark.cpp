@@ -2,6 +2,7 @@
  * \brief pcl_symmetry_benchmark: runs the estimation on published data sets and prints the field's metrics.
  */
 #include "benchmark/error_curve_plot.h"
+#include "benchmark/error_text.h"
 #include "benchmark/map_file.h"
 #include "benchmark/report_files.h"
 #include "benchmark/report_table.h"
@@ -62,7 +63,11 @@ describeOptions()
       "neighbours,k", po::value<int>(), "neighbours of a point in the graph of a cloud")(
       "landmarks", po::value<int>(),
       "sources of full distance fields")("samples", po::value<int>(), "evenly spaced samples, 0: the method's default")(
-      "jobs", po::value<int>()->default_value(1), "models at a time, 0: one per core")(
+      "noise", po::value<double>(), "disturb the points, standard deviation over the bounding box's diagonal")(
+      "drop", po::value<double>(), "drop this share of the points; those left are scored")(
+      "outliers", po::value<double>(), "add this share of points at random places")(
+      "seed", po::value<std::int64_t>(), "of the disturbance, any integer (default 1)")("jobs", po::value<int>()->default_value(1),
+                                                                           "models at a time, 0: one per core")(
       "threads", po::value<int>(), "threads of each estimation, 0: one per core (default 0; 1 with several jobs)");
   po::options_description output("Output");
   output.add_options()("csv", po::value<std::string>(), "write one line per model to this file")(
@@ -140,13 +145,31 @@ takeParameters(const po::variables_map& arguments, unsigned jobs)
   take(arguments, "landmarks", parameters.landmarks);
   take(arguments, "samples", parameters.samples);
   parameters.threads = takeCount(arguments, "threads", jobs == 1 ? 0 : 1);
+  return parameters;
+}
+
+Disturbance
+takeDisturbance(const po::variables_map& arguments)
+{
+  Disturbance disturbance;
+  take(arguments, "noise", disturbance.noise);
+  take(arguments, "drop", disturbance.drop);
+  take(arguments, "outliers", disturbance.outliers);
+  if (arguments.count("seed") > 0)
+    disturbance.seed = static_cast<std::uint64_t>(arguments["seed"].as<std::int64_t>());
+  return disturbance;
+}
+
+void
+checkRunOptions(const RunOptions& options)
+{
   try {
-    checkParameters(parameters);
+    checkParameters(options.parameters);
+    checkDisturbance(options.disturbance);
   }
   catch (const pcl::BadArgumentException& error) {
-    throw UsageError(error.what());
+    throw UsageError(errorText(error));
   }
-  return parameters;
 }
 
 void
@@ -170,6 +193,8 @@ takeOptions(const po::variables_map& arguments)
   options.jobs = takeCount(arguments, "jobs", 1);
   options.run.parameters = takeParameters(arguments, options.jobs);
   options.run.as_cloud = arguments.count("as-cloud") > 0;
+  options.run.disturbance = takeDisturbance(arguments);
+  checkRunOptions(options.run);
   take(arguments, "map-dir", options.map_folder);
   take(arguments, "csv", options.csv);
   take(arguments, "json", options.json);
@@ -311,7 +336,7 @@ main(int argc, char** argv)
     return exit_usage;
   }
   catch (const std::exception& error) {
-    std::cerr << "pcl_symmetry_benchmark: " << error.what() << '\n';
+    std::cerr << "pcl_symmetry_benchmark: " << errorText(error) << '\n';
     return exit_failed;
   }
 }

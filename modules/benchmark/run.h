@@ -4,6 +4,7 @@
 #pragma once
 
 #include "benchmark/data_set.h"
+#include "benchmark/disturbance.h"
 #include "benchmark/metrics.h"
 
 #include <pcl/symmetry/symmetry_parameters.h>
@@ -20,7 +21,8 @@ namespace symmetry {
 /** \brief How the models are run. */
 struct RunOptions {
   SymmetryParameters parameters;
-  bool as_cloud = false; ///< without the faces; the map is scored on the mesh all the same
+  bool as_cloud = false;   ///< without the faces; the map is scored on the mesh all the same
+  Disturbance disturbance; ///< the map is scored on the undisturbed mesh, at the points that were not dropped
 };
 
 /** \brief What came out for one model. Points are those of the model's file. */

@@ -117,6 +117,10 @@ describeOptions(const RunOptions& options)
   object["method"] = parameters.method == Method::Robust ? "robust" : "staged";
   object["metric"] = parameters.metric == Metric::Geodesic ? "geodesic" : "euclidean";
   object["as_cloud"] = options.as_cloud;
+  object["noise"] = options.disturbance.noise;
+  object["drop"] = options.disturbance.drop;
+  object["outliers"] = options.disturbance.outliers;
+  object["seed"] = options.disturbance.seed;
   object["k_search"] = parameters.k_search;
   object["landmarks"] = parameters.landmarks;
   object["samples"] = parameters.samples;

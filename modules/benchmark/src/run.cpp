@@ -1,10 +1,12 @@
 #include "benchmark/run.h"
 
+#include "benchmark/error_text.h"
 #include "geodesic/parallel.h"
 
 #include <pcl/symmetry/surface_io.h>
 #include <pcl/symmetry/symmetry.h>
 
+#include <algorithm>
 #include <exception>
 #include <mutex>
 #include <utility>
@@ -13,16 +15,35 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
+/** Takes over the result, with the per-point parts in the numbering of the file. */
 void
-takeResult(ModelRun& run, SymmetryResult result)
+takeResult(ModelRun& run, SymmetryResult result, const std::vector<Index>& origins)
 {
   run.status = result.status;
   run.message = std::move(result.message);
   run.confidence = result.confidence;
-  run.partners = std::move(result.partners);
-  run.confidences = std::move(result.confidences);
   run.map = result.map;
   run.seconds = std::move(result.seconds);
+  run.partners = undisturbMap(result.partners, origins, run.points);
+  run.confidences.assign(run.points, 0.0F);
+  for (std::size_t i = 0; i < result.confidences.size(); ++i)
+    if (origins[i] != no_index)
+      run.confidences[static_cast<std::size_t>(origins[i])] = result.confidences[i];
+}
+
+/** The part of the ground truth that is scored: a point that was dropped is nothing the estimation was asked about. */
+GroundTruth
+selectTruth(const GroundTruth& truth, const std::vector<Index>& origins, std::size_t points)
+{
+  std::vector<bool> is_present(points, false);
+  for (const Index origin : origins)
+    if (origin != no_index)
+      is_present[static_cast<std::size_t>(origin)] = true;
+  GroundTruth selected = subsampleTruth(truth);
+  selected.erase(std::remove_if(selected.begin(), selected.end(),
+                                [&](const TruePartner& p) { return !is_present[static_cast<std::size_t>(p.vertex)]; }),
+                 selected.end());
+  return selected;
 }
 
 void
@@ -31,17 +52,19 @@ runAndScore(ModelRun& run, const RunOptions& options)
   const Surface mesh = readSurface(run.model.file);
   run.points = mesh.size();
   run.faces = mesh.triangles.size();
+  GroundTruth truth;
+  if (!run.model.truth.empty()) {
+    truth = readGroundTruth(run.model.truth);
+    checkGroundTruth(truth, mesh.size(), run.model.truth);
+  }
 
-  Surface input = mesh;
+  DisturbedSurface input = disturb(mesh, options.disturbance);
   if (options.as_cloud)
-    input.triangles.clear();
-  takeResult(run, estimateIntrinsicSymmetry(input, options.parameters));
-
-  if (run.model.truth.empty())
-    return;
-  const GroundTruth truth = readGroundTruth(run.model.truth);
-  checkGroundTruth(truth, mesh.size(), run.model.truth);
-  run.score = scoreMap(mesh, truth, run.partners, options.parameters.threads);
+    input.surface.triangles.clear();
+  takeResult(run, estimateIntrinsicSymmetry(input.surface, options.parameters), input.origins);
+  if (!truth.empty())
+    run.score =
+        scoreMap(mesh, selectTruth(truth, input.origins, mesh.size()), run.partners, options.parameters.threads);
 }
 
 } // namespace
@@ -64,8 +87,7 @@ runModel(const BenchmarkModel& model, const RunOptions& options)
     runAndScore(run, options);
   }
   catch (const std::exception& error) {
-    run.failure = error.what();
-    run.score.reset();
+    run.failure = errorText(error);
   }
   return run;
 }

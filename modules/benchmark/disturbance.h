@@ -1,0 +1,44 @@
+/** \file
+ * \brief Disturbs a surface as a scanner would, and remembers which point is which.
+ */
+#pragma once
+
+#include <pcl/symmetry/surface.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief What is done to a surface before it is run. */
+struct Disturbance {
+  double noise = 0.0;    ///< standard deviation of a point's way, share of the bounding box's diagonal, [0, 1]
+  double drop = 0.0;     ///< share of the points that are left out at random, with their faces, [0, 0.99]
+  double outliers = 0.0; ///< points added at random in and around the bounding box, share of those left, [0, 1]
+  std::uint64_t seed = 1;
+};
+
+/** \brief Throws unless all shares are in their range.
+ * \throws pcl::BadArgumentException names the share, its value and the range */
+void
+checkDisturbance(const Disturbance& disturbance);
+
+/** \brief A disturbed surface. */
+struct DisturbedSurface {
+  Surface surface;
+  std::vector<Index> origins; ///< per point of \a surface: its number before, no_index for an outlier
+};
+
+/** \brief Drops points, then adds noise, then outliers; the same seed gives the same bytes.
+ * \throws pcl::BadArgumentException as checkDisturbance() */
+DisturbedSurface
+disturb(const Surface& surface, const Disturbance& disturbance);
+
+/** \brief Takes a map of a disturbed surface back to the \a points of the surface before; points that were dropped have
+ * no partner, and neither has a point whose partner is an outlier. */
+std::vector<Index>
+undisturbMap(const std::vector<Index>& partners, const std::vector<Index>& origins, std::size_t points);
+
+} // namespace symmetry
+} // namespace pcl
