@@ -35,8 +35,9 @@ struct Flesh {
  */
 class BodyPlan {
 public:
-  /** \param[in] blend width of the rounding between pieces of flesh */
-  explicit BodyPlan(double blend) : blend_(blend)
+  /** \param[in] blend width of the rounding between pieces of flesh
+   *  \param[in] detail coarsest lattice that keeps all limbs apart and in one piece */
+  BodyPlan(double blend, double detail) : blend_(blend), detail_(detail)
   {
   }
 
@@ -81,6 +82,13 @@ public:
     return flesh_;
   }
 
+  /** \brief Coarsest lattice that keeps all limbs apart and in one piece. */
+  double
+  detail() const
+  {
+    return detail_;
+  }
+
   /** \brief The skin in the rest pose. */
   ImplicitSurface
   surface() const;
@@ -89,6 +97,7 @@ private:
   std::vector<Bone> bones_;
   std::vector<Flesh> flesh_;
   double blend_;
+  double detail_;
 };
 
 /** \name Symmetric bodies */

@@ -74,6 +74,13 @@ public:
   std::vector<Index>
   neighbours(Index vertex) const;
 
+  /** \brief How many neighbours a vertex has. */
+  int
+  valence(Index vertex) const
+  {
+    return static_cast<int>(star(vertex).size()) + (onBoundary(vertex) ? 1 : 0);
+  }
+
   /** \brief All edges (a, b) with a < b, ascending. */
   std::vector<std::pair<Index, Index>>
   edges() const;

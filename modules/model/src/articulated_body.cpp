@@ -19,8 +19,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr double cells_along_body = 110.0; // at the least, or thin limbs would fall apart
-constexpr double surplus = 1.7;            // vertices before the short edges are collapsed, per vertex wanted
+constexpr double surplus = 1.7; // vertices before the short edges are collapsed, per vertex wanted
 constexpr int relax_rounds = 6;
 
 struct BodyKind {
@@ -92,10 +91,9 @@ sizeField(const ImplicitSurface& skin, double density_ratio)
 
 /** \brief The skin, or its left half, with the wanted number of vertices once the half is mirrored. */
 TriangleMesh
-meshSkin(const ImplicitSurface& skin, bool symmetric, const ModelParameters& parameters)
+meshSkin(const ImplicitSurface& skin, double coarsest, bool symmetric, const ModelParameters& parameters)
 {
   const Extent extent = symmetric ? Extent::PositiveHalf : Extent::Whole;
-  const double coarsest = (skin.highest() - skin.lowest()).maxCoeff() / cells_along_body;
   TriangleMesh mesh = polygonize(skin, coarsest, extent);
   const double ratio = parameters.density_ratio;
   const double densest = ratio > 1.0 ? ratio * std::log(ratio) / (ratio - 1.0) : 1.0; // relative to the mean
@@ -169,7 +167,7 @@ void
 flipEdges(EditableMesh& mesh, Index first, double share, RandomNumbers& random)
 {
   constexpr double least_shape = 0.3;
-  constexpr double least_cosine = 0.8; // of the angle between the two triangles: a flip must not dent the skin
+  constexpr double least_cosine = 0.9; // of the angle between the two triangles: a flip must not dent the skin
   for (const auto& [a, b] : mesh.edges()) {
     const bool drawn = random.uniform() < share;
     const auto [c, d] = mesh.opposite(a, b);
@@ -206,7 +204,7 @@ growBody(const BodyKind& kind, const ModelParameters& parameters)
 {
   const BodyPlan plan = kind.plan();
   const ImplicitSurface skin = plan.surface();
-  TriangleMesh mesh = meshSkin(skin, kind.symmetric, parameters);
+  TriangleMesh mesh = meshSkin(skin, plan.detail(), kind.symmetric, parameters);
   RandomNumbers random(parameters.seed);
   const Pose pose = randomPose(plan, parameters.bend, random);
 

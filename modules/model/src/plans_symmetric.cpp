@@ -17,11 +17,14 @@ addHumanTrunk(BodyPlan& plan)
 {
   const int pelvis = plan.addBone("pelvis", -1, V(0, 0.98, 0), V(-5, -10, -5), V(5, 10, 5));
   plan.addFlesh(pelvis, V(0.075, 0.94, 0.005), 0.100, V(0.060, 1.06, 0.005), 0.092);
+  plan.addFlesh(pelvis, V(0, 0.97, 0.010), 0.090, V(0, 1.06, 0.010), 0.090);
   plan.addFlesh(pelvis, V(0.075, 0.93, -0.055), 0.080, V(0.070, 0.96, -0.055), 0.078);
   const int spine = plan.addBone("spine", pelvis, V(0, 1.08, 0), V(-10, -20, -12), V(30, 20, 12));
   plan.addFlesh(spine, V(0.055, 1.09, 0.010), 0.090, V(0.065, 1.22, 0.010), 0.094);
+  plan.addFlesh(spine, V(0, 1.09, 0.015), 0.092, V(0, 1.22, 0.010), 0.096);
   const int chest = plan.addBone("chest", spine, V(0, 1.22, 0), V(-8, -18, -8), V(15, 18, 8));
   plan.addFlesh(chest, V(0.070, 1.26, 0.005), 0.098, V(0.095, 1.38, -0.010), 0.085);
+  plan.addFlesh(chest, V(0, 1.26, 0.005), 0.100, V(0, 1.39, -0.015), 0.090);
   plan.addFlesh(chest, V(0.075, 1.33, 0.070), 0.050, V(0.085, 1.31, 0.072), 0.048);
   plan.addFlesh(chest, V(0.040, 1.45, -0.015), 0.058, V(0.165, 1.425, -0.015), 0.058);
   const int neck = plan.addBone("neck", chest, V(0, 1.47, -0.01), V(-10, -20, -10), V(15, 20, 10));
@@ -29,7 +32,7 @@ addHumanTrunk(BodyPlan& plan)
   const int head = plan.addBone("head", neck, V(0, 1.57, 0), V(-15, -25, -10), V(20, 25, 10));
   plan.addFlesh(head, V(0, 1.68, -0.020), 0.092, V(0, 1.66, 0.025), 0.080);
   plan.addFlesh(head, V(0, 1.59, 0.050), 0.045, V(0, 1.62, 0.030), 0.060);
-  plan.addFlesh(head, V(0, 1.655, 0.105), 0.012, V(0, 1.618, 0.132), 0.017);
+  plan.addFlesh(head, V(0, 1.655, 0.100), 0.012, V(0, 1.622, 0.120), 0.016);
   plan.addFlesh(head, V(0.092, 1.660, -0.010), 0.016, V(0.100, 1.625, -0.005), 0.011);
 }
 
@@ -159,7 +162,7 @@ addBirdWing(BodyPlan& plan)
 BodyPlan
 humanPlan()
 {
-  BodyPlan plan(0.010);
+  BodyPlan plan(0.010, 0.016);
   addHumanTrunk(plan);
   addHumanArm(plan, "left", V(0.195, 1.425, -0.015), 0.0);
   addHumanLeg(plan);
@@ -170,7 +173,7 @@ humanPlan()
 BodyPlan
 quadrupedPlan()
 {
-  BodyPlan plan(0.010);
+  BodyPlan plan(0.010, 0.018);
   addQuadrupedTrunk(plan);
   addQuadrupedTail(plan);
   addQuadrupedLegs(plan);
@@ -181,7 +184,7 @@ quadrupedPlan()
 BodyPlan
 spiderPlan()
 {
-  BodyPlan plan(0.010);
+  BodyPlan plan(0.010, 0.018);
   const int trunk = plan.addBone("trunk", -1, V(0, 0.30, 0.12), V(-5, -10, -5), V(5, 10, 5));
   plan.addFlesh(trunk, V(0.035, 0.31, 0.04), 0.125, V(0.030, 0.30, 0.22), 0.105);
   plan.addFlesh(trunk, V(0.045, 0.27, 0.30), 0.036, V(0.050, 0.18, 0.36), 0.024);
@@ -201,7 +204,7 @@ spiderPlan()
 BodyPlan
 birdPlan()
 {
-  BodyPlan plan(0.012);
+  BodyPlan plan(0.012, 0.015);
   const int body = plan.addBone("body", -1, V(0, 0.50, 0), V(-8, -8, -8), V(8, 8, 8));
   plan.addFlesh(body, V(0, 0.50, 0.10), 0.140, V(0, 0.49, -0.20), 0.085);
   const int neck = plan.addBone("neck", body, V(0, 0.58, 0.18), V(-15, -20, -10), V(15, 20, 10));

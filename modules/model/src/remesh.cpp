@@ -93,7 +93,7 @@ private:
 int
 valenceExcess(const EditableMesh& mesh, Index vertex)
 {
-  return static_cast<int>(mesh.neighbours(vertex).size()) - (mesh.onBoundary(vertex) ? 4 : 6);
+  return mesh.valence(vertex) - (mesh.onBoundary(vertex) ? 4 : 6);
 }
 
 void
