@@ -1,0 +1,87 @@
+#include "benchmark/disturbance.h"
+#include "benchmark/temporary_folder.h"
+#include "support/shapes.h"
+
+#include <pcl/exceptions.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+TEST(DisturbanceTest, NothingAskedNothingChanged)
+{
+  const Surface grid = test::gridMesh(5, 4);
+  const DisturbedSurface same = disturb(grid, {});
+  EXPECT_EQ(same.surface.points, grid.points);
+  EXPECT_EQ(same.surface.triangles, grid.triangles);
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    EXPECT_EQ(same.origins[i], static_cast<Index>(i));
+}
+
+TEST(DisturbanceTest, RemembersWhichPointIsWhich)
+{
+  const Surface grid = test::gridMesh(20, 10);
+  const DisturbedSurface disturbed = disturb(grid, {0.0, 0.1, 0.05, 3});
+  ASSERT_EQ(disturbed.origins.size(), 189U) << "200 - 20 + 9";
+  ASSERT_EQ(disturbed.surface.size(), 189U);
+  std::vector<int> met(grid.size(), 0);
+  for (std::size_t i = 0; i < 180; ++i) {
+    const auto origin = static_cast<std::size_t>(disturbed.origins[i]);
+    EXPECT_EQ(disturbed.surface.points[i], grid.points[origin]);
+    EXPECT_EQ(++met[origin], 1);
+  }
+  for (std::size_t i = 180; i < 189; ++i)
+    EXPECT_EQ(disturbed.origins[i], no_index) << "outliers come last";
+  for (const Triangle& t : disturbed.surface.triangles)
+    for (const Index i : t)
+      EXPECT_LT(i, 180);
+}
+
+TEST(DisturbanceTest, NoiseHasTheDeviationAskedFor)
+{
+  const Surface grid = test::gridMesh(100, 100);
+  const DisturbedSurface noisy = disturb(grid, {0.01, 0.0, 0.0, 1});
+  double squared = 0.0;
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      squared += std::pow(double(noisy.surface.points[i][k]) - double(grid.points[i][k]), 2);
+  const double expected = 0.01 * 99.0 * std::sqrt(2.0);
+  EXPECT_NEAR(std::sqrt(squared / static_cast<double>(grid.size())), expected, 0.05 * expected);
+}
+
+TEST(DisturbanceTest, TheSeedDecides)
+{
+  const Surface grid = test::gridMesh(20, 10);
+  const Disturbance first{0.01, 0.1, 0.1, 5};
+  Disturbance second = first;
+  second.seed = 6;
+  EXPECT_EQ(disturb(grid, first).surface.points, disturb(grid, first).surface.points);
+  EXPECT_NE(disturb(grid, first).surface.points, disturb(grid, second).surface.points);
+}
+
+TEST(DisturbanceTest, MapsGoBackToTheNumbersBefore)
+{
+  // Points 4, 1 and 0 of five are left, then comes an outlier.
+  const std::vector<Index> origins{4, 1, 0, no_index};
+  EXPECT_EQ(undisturbMap({2, no_index, 3, 0}, origins, 5),
+            (std::vector<Index>{no_index, no_index, no_index, no_index, 0}));
+  EXPECT_EQ(undisturbMap({1, 0, 2, 3}, origins, 5), (std::vector<Index>{0, 4, no_index, no_index, 1}));
+}
+
+TEST(DisturbanceTest, RejectsSharesOutOfRange)
+{
+  const auto error = [](const Disturbance& disturbance) {
+    return test::messageOf<pcl::BadArgumentException>([&] { disturb(test::gridMesh(3, 3), disturbance); });
+  };
+  EXPECT_NE(error({-0.1, 0.0, 0.0, 1}).find("noise -0.1 is not in [0, 1]"), std::string::npos);
+  EXPECT_NE(error({0.0, 1.0, 0.0, 1}).find("drop 1 is not in [0, 0.99]"), std::string::npos);
+  EXPECT_NE(error({0.0, 0.0, 1.5, 1}).find("outliers 1.5 is not in [0, 1]"), std::string::npos);
+  EXPECT_NE(error({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0, 1}), "");
+}
+
+} // namespace
+} // namespace symmetry
+} // namespace pcl
