@@ -1,6 +1,6 @@
 #include "benchmark/error_curve_plot.h"
 
-#include "benchmark/whole_file.h"
+#include "io/output_file.h"
 
 #include <algorithm>
 #include <array>
