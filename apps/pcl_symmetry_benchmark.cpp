@@ -66,8 +66,8 @@ describeOptions()
       "noise", po::value<double>(), "disturb the points, standard deviation over the bounding box's diagonal")(
       "drop", po::value<double>(), "drop this share of the points; those left are scored")(
       "outliers", po::value<double>(), "add this share of points at random places")(
-      "seed", po::value<std::int64_t>(), "of the disturbance, any integer (default 1)")("jobs", po::value<int>()->default_value(1),
-                                                                           "models at a time, 0: one per core")(
+      "seed", po::value<std::int64_t>(), "of the disturbance, any integer (default 1)")(
+      "jobs", po::value<int>()->default_value(1), "models at a time, 0: one per core")(
       "threads", po::value<int>(), "threads of each estimation, 0: one per core (default 0; 1 with several jobs)");
   po::options_description output("Output");
   output.add_options()("csv", po::value<std::string>(), "write one line per model to this file")(
@@ -239,6 +239,8 @@ writeRunMap(const std::string& folder, const ModelRun& run)
   SymmetryResult result;
   result.partners = run.partners;
   result.confidences = run.confidences;
+  result.sides.resize(run.points, Side::None);
+  result.regions.resize(run.points, Region::None);
   writeMap((std::filesystem::path(folder) / (run.model.set + "_" + run.model.name + ".csv")).string(), result);
 }
 

@@ -1,0 +1,184 @@
+// What pcl_symmetry_benchmark promises its users: exit status, tables, files, messages.
+#include "apps/run_program.h"
+#include "benchmark/temporary_folder.h"
+#include "model/articulated_body.h"
+#include "model/write_model.h"
+
+#include <nlohmann/json.hpp>
+
+namespace pcl {
+namespace symmetry {
+namespace test {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+ProgramRun
+runBenchmark(const Arguments& arguments)
+{
+  return runProgram("pcl_symmetry_benchmark", arguments);
+}
+
+/** A square of 5 x 5 vertices and its left-right mirror, 1-based. */
+class BenchmarkProgramTest : public TemporaryFolder {
+protected:
+  BenchmarkProgramTest()
+  {
+    std::string off = "OFF\n25 32 0\n";
+    std::string truth;
+    std::string faces;
+    for (int j = 0; j < 5; ++j)
+      for (int i = 0; i < 5; ++i) {
+        const int a = 5 * j + i;
+        off += std::to_string(i) + " " + std::to_string(j) + " 0\n";
+        truth += std::to_string(5 * j + 4 - i + 1) + "\n";
+        if (i < 4 && j < 4) {
+          faces += "3 " + std::to_string(a) + " " + std::to_string(a + 1) + " " + std::to_string(a + 6) + "\n";
+          faces += "3 " + std::to_string(a) + " " + std::to_string(a + 6) + " " + std::to_string(a + 5) + "\n";
+        }
+      }
+    mesh_ = write("square.off", off + faces);
+    truth_ = write("square_sym.txt", truth);
+  }
+
+  Arguments
+  scoreArguments(const std::string& map) const
+  {
+    return {"--score", map, "--mesh", mesh_, "--truth", truth_};
+  }
+
+  /** A data set of one human, below the folder of the test. */
+  std::string
+  writeHuman() const
+  {
+    ModelParameters parameters;
+    parameters.vertices = 2500;
+    const Model model = makeModel(parameters);
+    std::string truth;
+    for (const Index partner : model.partners)
+      truth += std::to_string(partner + 1) + " ";
+    write("sets/MADE/sym.txt", truth);
+    writePlainSurface(path("sets/MADE/human.off"), model.surface);
+    return path("sets");
+  }
+
+  std::string mesh_;
+  std::string truth_;
+};
+
+TEST_F(BenchmarkProgramTest, ScoresAnExistingMap)
+{
+  std::string map = "vertex,partner,confidence\n";
+  for (int v = 0; v < 25; ++v)
+    map += std::to_string(v) + "," + std::to_string(v / 5 * 5 + 4 - v % 5) + ",1\n";
+  const ProgramRun right = runBenchmark(scoreArguments(write("right.csv", map)));
+  EXPECT_EQ(right.exit_status, 0) << right.errors;
+  EXPECT_EQ(right.output, "correspondence rate 1.0000  mean geodesic error 0.0000  matched 25/25\n");
+
+  const ProgramRun empty = runBenchmark(scoreArguments(write("empty.csv", "vertex,partner\n")));
+  EXPECT_EQ(empty.output, "correspondence rate 0.0000  mean geodesic error 1.0000  matched 0/25\n");
+}
+
+TEST_F(BenchmarkProgramTest, WritesTheScoreAsJson)
+{
+  Arguments arguments = scoreArguments(write("half.csv", "0,4\n"));
+  arguments.insert(arguments.end(), {"--json", path("score.json")});
+  EXPECT_EQ(runBenchmark(arguments).exit_status, 0);
+  const nlohmann::json score = nlohmann::json::parse(read(path("score.json")));
+  EXPECT_EQ(score["truth"], 25);
+  EXPECT_EQ(score["matched"], 1);
+  EXPECT_DOUBLE_EQ(score["correspondence_rate"].get<double>(), 1.0 / 25.0);
+}
+
+TEST_F(BenchmarkProgramTest, RunsADataSetAndWritesAllFiles)
+{
+  const std::string folder = writeHuman();
+  const ProgramRun run =
+      runBenchmark({folder, "--method", "staged", "--csv", path("out.csv"), "--json", path("out.json"), "--plot",
+                    path("out.svg"), "--map-dir", path("maps"), "--verbose"});
+  ASSERT_EQ(run.exit_status, 0) << run.errors;
+  EXPECT_NE(run.output.find("MADE/human"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("MADE (mean of classes)"), std::string::npos);
+  EXPECT_NE(run.output.find("seconds:"), std::string::npos);
+  const nlohmann::json report = nlohmann::json::parse(read(path("out.json")));
+  EXPECT_EQ(report["parameters"]["method"], "staged");
+  const double rate = report["models"][0]["correspondence_rate"];
+  EXPECT_NE(read(path("out.csv")).find("MADE,made,human,"), std::string::npos);
+  EXPECT_NE(read(path("out.svg")).find(">MADE</text>"), std::string::npos);
+
+  // The map that was written scores as the table says.
+  const ProgramRun again = runBenchmark({"--score", path("maps/MADE_human.csv"), "--mesh", folder + "/MADE/human.off",
+                                         "--truth", folder + "/MADE/sym.txt", "--json", path("again.json")});
+  ASSERT_EQ(again.exit_status, 0) << again.errors;
+  EXPECT_EQ(nlohmann::json::parse(read(path("again.json")))["correspondence_rate"], rate);
+}
+
+TEST_F(BenchmarkProgramTest, AModelThatFailsIsReportedAndEndsWithOne)
+{
+  write("sets/MADE/broken.off", "OFF\n3 1 0\n0 0 0\n");
+  write("sets/MADE/sym.txt", "1\n2\n3\n");
+  const ProgramRun run = runBenchmark({path("sets"), "--jobs", "2"});
+  EXPECT_EQ(run.exit_status, 1);
+  EXPECT_NE(run.output.find("MADE/broken"), std::string::npos);
+  EXPECT_NE(run.output.find("failed: "), std::string::npos) << run.output;
+}
+
+TEST_F(BenchmarkProgramTest, LeavesOutModelsWithoutTruthUnlessAsked)
+{
+  const std::string folder = writeHuman();
+  write("sets/clouds/broken.off", "");
+  EXPECT_EQ(runBenchmark({folder, "--all", "--set", "clouds"}).exit_status, 1) << "it is run, and cannot be read";
+  const ProgramRun none = runBenchmark({folder, "--set", "clouds"});
+  EXPECT_EQ(none.exit_status, 1);
+  EXPECT_NE(none.errors.find("1 models without ground truth are left out"), std::string::npos) << none.errors;
+}
+
+TEST_F(BenchmarkProgramTest, FilesThatCannotBeReadOrWrittenEndWithOne)
+{
+  const ProgramRun missing = runBenchmark({path("missing")});
+  EXPECT_EQ(missing.exit_status, 1);
+  EXPECT_EQ(missing.errors, "pcl_symmetry_benchmark: " + path("missing") + ": is no folder\n");
+  EXPECT_EQ(runBenchmark(scoreArguments(path("missing.csv"))).exit_status, 1);
+  EXPECT_EQ(runBenchmark(scoreArguments(write("bad.csv", "0,25\n"))).exit_status, 1);
+  Arguments arguments = scoreArguments(write("map.csv", "0,4\n"));
+  arguments.insert(arguments.end(), {"--json", path("no/folder.json")});
+  EXPECT_EQ(runBenchmark(arguments).exit_status, 1);
+}
+
+TEST_F(BenchmarkProgramTest, WrongUsageEndsWithTwo)
+{
+  const std::string folder = path("");
+  for (const Arguments& arguments : std::vector<Arguments>{{},
+                                                           {folder, "--unknown"},
+                                                           {folder, "--meth", "staged"},
+                                                           {folder, "--method", "best"},
+                                                           {folder, "--metric", "cosine"},
+                                                           {folder, "--jobs", "-1"},
+                                                           {folder, "--jobs", "two"},
+                                                           {folder, "--threads", "-1"},
+                                                           {folder, "-k", "1"},
+                                                           {folder, "--landmarks", "5"},
+                                                           {folder, "--noise", "-0.5"},
+                                                           {folder, "--noise", "nan"},
+                                                           {folder, "--drop", "1"},
+                                                           {folder, "--csv"},
+                                                           {folder, folder},
+                                                           {folder, "--score", mesh_},
+                                                           {"--score", mesh_, "--mesh", mesh_}}) {
+    const ProgramRun run = runBenchmark(arguments);
+    EXPECT_EQ(run.exit_status, 2) << (arguments.empty() ? "" : arguments.back()) << run.output;
+    EXPECT_EQ(run.errors.compare(0, 24, "pcl_symmetry_benchmark: "), 0) << run.errors;
+  }
+}
+
+TEST_F(BenchmarkProgramTest, HelpAndVersionEndWithZero)
+{
+  EXPECT_EQ(runBenchmark({"--help"}).exit_status, 0);
+  EXPECT_NE(runBenchmark({"--help"}).output.find("Usage: pcl_symmetry_benchmark DIR"), std::string::npos);
+  EXPECT_EQ(runBenchmark({"--version"}).output, "pcl_symmetry_benchmark " PCL_SYMMETRY_VERSION "\n");
+}
+
+} // namespace
+} // namespace test
+} // namespace symmetry
+} // namespace pcl
