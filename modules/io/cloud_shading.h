@@ -11,7 +11,7 @@ namespace pcl {
 namespace symmetry {
 
 struct CloudShading {
-  float spacing = 0.0F;         ///< mean distance of neighbours
+  std::vector<float> spacings;  ///< mean distance of neighbours around each point
   std::vector<Vector3> normals; ///< one per point, of either sign; zero where there is none
 };
 

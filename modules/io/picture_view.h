@@ -17,7 +17,7 @@ struct PictureView {
   Vector3 up = {0.0F, 1.0F, 0.0F};
   Vector3 toward = {0.0F, 0.0F, 1.0F}; ///< from the surface to the viewer
   Vector3 centre = {0.0F, 0.0F, 0.0F};
-  float width = 1.0F;  ///< of what is shown, in the unit of the points
+  float width = 1.0F; ///< of what is shown, in the unit of the points
   float height = 1.0F;
 
   /** \brief The same from behind, turned about \a up. */
@@ -31,7 +31,8 @@ struct PartnerPair {
   Index target = no_index;
 };
 
-/** \brief All pairs of the dense map from source to target side; those of the sparse matches where there is no dense map. */
+/** \brief All pairs of the dense map from source to target side; those of the sparse matches where there is no dense
+ * map. */
 std::vector<PartnerPair>
 findPartnerPairs(const Surface& surface, const SymmetryResult& result);
 

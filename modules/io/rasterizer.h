@@ -37,8 +37,8 @@ class Rasterizer {
 public:
   Rasterizer(int width, int height);
 
-  /** \brief Fills a triangle; each pixel takes the colour of the corner that is nearest in barycentric terms, which keeps
-   * borders between labels sharp. */
+  /** \brief Fills a triangle; each pixel takes the colour of the corner that is nearest in barycentric terms, which
+   * keeps borders between labels sharp. */
   void
   fillTriangle(const std::array<ScreenPoint, 3>& corners, const std::array<Color, 3>& colors);
 
@@ -48,7 +48,8 @@ public:
 
   /** \brief Draws a line with round ends over what is there, as opaque as its depth says; depths stay as they were. */
   void
-  blendSegment(const ScreenPoint& begin, const ScreenPoint& end, float radius, const Color& color, const Opacity& opacity);
+  blendSegment(
+      const ScreenPoint& begin, const ScreenPoint& end, float radius, const Color& color, const Opacity& opacity);
 
   /** \brief The image, with \a factor x \a factor pixels averaged into one. */
   Image

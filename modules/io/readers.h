@@ -12,7 +12,8 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief Polygon File Format 1.0: ascii and binary of both byte orders, any scalar types, faces and triangle strips. */
+/** \brief Polygon File Format 1.0: ascii and binary of both byte orders, any scalar types, faces and triangle strips.
+ */
 Surface
 readPly(const FileContent& file);
 
@@ -28,7 +29,8 @@ readObj(const FileContent& file);
 Surface
 readOff(const FileContent& file);
 
-/** \brief Stereolithography, ascii or binary; equal positions become one point, in the order of their first appearance. */
+/** \brief Stereolithography, ascii or binary; equal positions become one point, in the order of their first appearance.
+ */
 Surface
 readStl(const FileContent& file);
 

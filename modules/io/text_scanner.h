@@ -13,7 +13,7 @@ namespace symmetry {
 
 /** \brief What a text format makes of special characters. */
 struct TextSyntax {
-  bool hash_comments = false;      ///< `#` hides the rest of the line
+  bool hash_comments = false;       ///< `#` hides the rest of the line
   bool backslash_continues = false; ///< a backslash at the end of a line joins the next one to it
 };
 
@@ -34,7 +34,8 @@ public:
   bool
   nextLine();
 
-  /** \brief Goes to the next line that holds a word. \throws pcl::IOException the text ends instead: "`expected` ..." */
+  /** \brief Goes to the next line that holds a word. \throws pcl::IOException the text ends instead: "`expected` ..."
+   */
   void
   needLine(const char* expected);
 
@@ -50,8 +51,8 @@ public:
   bool
   atLineEnd();
 
-  /** \brief The next word of the line as a number; nan and inf in any case are numbers, what is too large for a float is
-   * infinite. \throws pcl::IOException there is no further word, or it is no number */
+  /** \brief The next word of the line as a number; nan and inf in any case are numbers, what is too large for a float
+   * is infinite. \throws pcl::IOException there is no further word, or it is no number */
   float
   number();
 

@@ -21,8 +21,8 @@ struct HeaderLines {
 HeaderLines
 readLines(TextScanner& text)
 {
-  static const std::vector<std::string> keywords = {
-      "VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
+  static const std::vector<std::string> keywords = {"VERSION", "FIELDS", "COLUMNS",   "SIZE",   "TYPE", "COUNT",
+                                                    "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
   HeaderLines lines;
   for (;;) {
     text.needLine("a line of the header, up to 'DATA',");
@@ -46,7 +46,7 @@ readLines(TextScanner& text)
 class PcdHeaderReader {
 public:
   explicit PcdHeaderReader(const FileContent& file)
-  : file_(file), text_(file, {/*hash_comments=*/true, /*backslash_continues=*/false}), lines_(readLines(text_))
+      : file_(file), text_(file, {/*hash_comments=*/true, /*backslash_continues=*/false}), lines_(readLines(text_))
   {
   }
 
@@ -84,8 +84,8 @@ private:
       file_.fail("the header has no line '" + keyword + "'");
     const std::vector<std::string>& words = lines_.words.at(keyword);
     if (words.size() != count)
-      failAt(keyword, "'" + keyword + "' has " + std::to_string(words.size()) + " values instead of " +
-                          std::to_string(count));
+      failAt(keyword,
+             "'" + keyword + "' has " + std::to_string(words.size()) + " values instead of " + std::to_string(count));
     return words;
   }
 
@@ -142,9 +142,9 @@ private:
   findType(const std::string& letter, std::size_t bytes, ScalarType& type)
   {
     static const std::map<std::pair<std::string, std::size_t>, ScalarType> types = {
-        {{"I", 1}, ScalarType::Int8},    {{"I", 2}, ScalarType::Int16},  {{"I", 4}, ScalarType::Int32},
-        {{"I", 8}, ScalarType::Int64},   {{"U", 1}, ScalarType::UInt8},  {{"U", 2}, ScalarType::UInt16},
-        {{"U", 4}, ScalarType::UInt32},  {{"U", 8}, ScalarType::UInt64}, {{"F", 4}, ScalarType::Float32},
+        {{"I", 1}, ScalarType::Int8},   {{"I", 2}, ScalarType::Int16},  {{"I", 4}, ScalarType::Int32},
+        {{"I", 8}, ScalarType::Int64},  {{"U", 1}, ScalarType::UInt8},  {{"U", 2}, ScalarType::UInt16},
+        {{"U", 4}, ScalarType::UInt32}, {{"U", 8}, ScalarType::UInt64}, {{"F", 4}, ScalarType::Float32},
         {{"F", 8}, ScalarType::Float64}};
     const auto found = types.find({letter, bytes});
     if (found == types.end())

@@ -65,7 +65,8 @@ principalDirections(const Scene& scene)
     const Eigen::Vector3d place(offset[0], offset[1], offset[2]);
     covariance += place * place.transpose();
   }
-  const Eigen::Matrix3f vectors = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().cast<float>();
+  const Eigen::Matrix3f vectors =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().cast<float>();
   std::array<Vector3, 3> directions;
   for (int i = 0; i < 3; ++i)
     directions[static_cast<std::size_t>(2 - i)] = {vectors(0, i), vectors(1, i), vectors(2, i)};
@@ -85,16 +86,17 @@ lateralDirection(const Surface& surface, const std::vector<PartnerPair>& pairs)
   const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
   if (!(length > 0.0))
     return {0.0F, 0.0F, 0.0F};
-  return {static_cast<float>(sum[0] / length), static_cast<float>(sum[1] / length), static_cast<float>(sum[2] / length)};
+  return {static_cast<float>(sum[0] / length), static_cast<float>(sum[1] / length),
+          static_cast<float>(sum[2] / length)};
 }
 
-/** \brief The direction or its opposite, whichever has its largest coordinate positive: scans mostly stand along +y or +z. */
+/** \brief The direction or its opposite, whichever has its largest coordinate positive: scans mostly stand along +y or
+ * +z. */
 Vector3
 uprightSign(const Vector3& direction)
 {
-  const auto largest = std::max_element(direction.begin(), direction.end(), [](float a, float b) {
-    return std::abs(a) < std::abs(b);
-  });
+  const auto largest =
+      std::max_element(direction.begin(), direction.end(), [](float a, float b) { return std::abs(a) < std::abs(b); });
   return *largest < 0.0F ? -1.0F * direction : direction;
 }
 
@@ -127,7 +129,8 @@ countVisible(const Scene& scene, const PictureView& view)
     const auto cell = [](float coordinate) {
       return std::clamp(static_cast<int>((coordinate + 0.5F) * coverage_size), 0, coverage_size - 1);
     };
-    Top& top = cells[static_cast<std::size_t>(cell(dot(offset, view.up)) * coverage_size + cell(dot(offset, view.right)))];
+    Top& top =
+        cells[static_cast<std::size_t>(cell(dot(offset, view.up)) * coverage_size + cell(dot(offset, view.right)))];
     const float depth = dot(offset, view.toward);
     if (depth > top.depth)
       top = {depth, scene.sides[i]};
@@ -162,8 +165,7 @@ halfSphere()
     const double z = (i + 0.5) / directions_tried;
     const double radius = std::sqrt(1.0 - z * z);
     directions.push_back({static_cast<float>(radius * std::cos(golden_angle * i)),
-                          static_cast<float>(radius * std::sin(golden_angle * i)),
-                          static_cast<float>(z)});
+                          static_cast<float>(radius * std::sin(golden_angle * i)), static_cast<float>(z)});
   }
   return directions;
 }
@@ -188,8 +190,10 @@ fitView(const std::vector<Vector3>& points, PictureView& view)
   if (least[0] > most[0])
     return;
   view.centre = view.centre + 0.5F * (least[0] + most[0]) * view.right + 0.5F * (least[1] + most[1]) * view.up;
-  view.width = margin * (most[0] - least[0]);
-  view.height = margin * (most[1] - least[1]);
+  const float extent = std::max(most[0] - least[0], most[1] - least[1]);
+  const float smallest = extent > 0.0F ? 1e-3F * extent : 1.0F; // a line, or a single place
+  view.width = margin * std::max(most[0] - least[0], smallest);
+  view.height = margin * std::max(most[1] - least[1], smallest);
 }
 
 } // namespace
@@ -235,8 +239,7 @@ chooseView(const Surface& surface, const SymmetryResult& result, const std::vect
   double best_worth = -1.0;
   for (const Vector3& direction : directions) {
     const PictureView view = makeView(scene, direction, level);
-    const double worth =
-        rateView(scene, view, has_pairs) + rateView(scene, view.fromBehind(), has_pairs);
+    const double worth = rateView(scene, view, has_pairs) + rateView(scene, view.fromBehind(), has_pairs);
     if (worth > best_worth) {
       best_worth = worth;
       best = view;

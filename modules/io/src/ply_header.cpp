@@ -14,11 +14,11 @@ ScalarType
 readType(TextScanner& text)
 {
   static const std::pair<std::string_view, ScalarType> types[] = {
-      {"char", ScalarType::Int8},     {"int8", ScalarType::Int8},       {"uchar", ScalarType::UInt8},
-      {"uint8", ScalarType::UInt8},   {"short", ScalarType::Int16},     {"int16", ScalarType::Int16},
-      {"ushort", ScalarType::UInt16}, {"uint16", ScalarType::UInt16},   {"int", ScalarType::Int32},
-      {"int32", ScalarType::Int32},   {"uint", ScalarType::UInt32},     {"uint32", ScalarType::UInt32},
-      {"int64", ScalarType::Int64},   {"uint64", ScalarType::UInt64},   {"float", ScalarType::Float32},
+      {"char", ScalarType::Int8},       {"int8", ScalarType::Int8},      {"uchar", ScalarType::UInt8},
+      {"uint8", ScalarType::UInt8},     {"short", ScalarType::Int16},    {"int16", ScalarType::Int16},
+      {"ushort", ScalarType::UInt16},   {"uint16", ScalarType::UInt16},  {"int", ScalarType::Int32},
+      {"int32", ScalarType::Int32},     {"uint", ScalarType::UInt32},    {"uint32", ScalarType::UInt32},
+      {"int64", ScalarType::Int64},     {"uint64", ScalarType::UInt64},  {"float", ScalarType::Float32},
       {"float32", ScalarType::Float32}, {"double", ScalarType::Float64}, {"float64", ScalarType::Float64}};
   const std::string_view name = text.word();
   for (const auto& [known, type] : types)

@@ -1,10 +1,11 @@
 #include "io/png.h"
 
-#include <algorithm>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
 
 namespace pcl {
 namespace symmetry {

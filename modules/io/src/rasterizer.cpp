@@ -11,8 +11,8 @@ namespace {
 /** \brief Pixels whose centres lie in [least, most], cut to [0, size). */
 struct PixelRange {
   PixelRange(float least, float most, int size)
-  : begin(static_cast<int>(std::clamp(std::ceil(least - 0.5F), 0.0F, static_cast<float>(size))))
-  , end(static_cast<int>(std::clamp(std::floor(most - 0.5F) + 1.0F, 0.0F, static_cast<float>(size))))
+      : begin(static_cast<int>(std::clamp(std::ceil(least - 0.5F), 0.0F, static_cast<float>(size)))),
+        end(static_cast<int>(std::clamp(std::floor(most - 0.5F) + 1.0F, 0.0F, static_cast<float>(size))))
   {
   }
 
@@ -37,10 +37,10 @@ mix(std::uint8_t below, std::uint8_t above, float opacity)
 } // namespace
 
 Rasterizer::Rasterizer(int width, int height)
-: width_(width)
-, height_(height)
-, colors_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), Color{255, 255, 255})
-, depths_(colors_.size(), -std::numeric_limits<float>::infinity())
+    : width_(width),
+      height_(height),
+      colors_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), Color{255, 255, 255}),
+      depths_(colors_.size(), -std::numeric_limits<float>::infinity())
 {
 }
 
@@ -82,9 +82,7 @@ Rasterizer::fillTriangle(const std::array<ScreenPoint, 3>& corners, const std::a
       if (weights[0] < 0.0F || weights[1] < 0.0F || weights[2] < 0.0F)
         continue;
       const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-      setIfNearer(x,
-                  y,
-                  weights[0] * a.depth + weights[1] * b.depth + weights[2] * c.depth,
+      setIfNearer(x, y, weights[0] * a.depth + weights[1] * b.depth + weights[2] * c.depth,
                   colors[static_cast<std::size_t>(nearest)]);
     }
   }

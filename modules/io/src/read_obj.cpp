@@ -10,7 +10,7 @@ namespace {
 class ObjReader {
 public:
   explicit ObjReader(const FileContent& file)
-  : file_(file), text_(file, {/*hash_comments=*/true, /*backslash_continues=*/true})
+      : file_(file), text_(file, {/*hash_comments=*/true, /*backslash_continues=*/true})
   {
   }
 

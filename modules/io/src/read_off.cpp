@@ -35,13 +35,11 @@ readKeyword(TextScanner& text)
 }
 
 std::size_t
-readCount(TextScanner& text, const char* what, std::size_t least_bytes)
+readCount(TextScanner& text, const char* what)
 {
   const std::int64_t count = text.integer();
   if (count < 0 || static_cast<std::uint64_t>(count) > most_points)
     text.fail(std::to_string(count) + " is no number of " + what);
-  if (!fitsInto(static_cast<std::uint64_t>(count), least_bytes, text.remaining()))
-    text.fail("the file is too short for " + std::to_string(count) + " " + what);
   return static_cast<std::size_t>(count);
 }
 
@@ -52,11 +50,15 @@ readCounts(TextScanner& text)
   if (text.atLineEnd())
     text.needLine("the line of counts");
   OffCounts counts;
-  counts.points = readCount(text, "points", 6); // "0 0 0" and a line end
-  counts.faces = readCount(text, "faces", 2);
+  counts.points = readCount(text, "points");
+  counts.faces = readCount(text, "faces");
   if (!text.atLineEnd())
     text.integer(); // edges: often 0, never needed
   text.needLineEnd();
+  // The least that can be: a line end with "0 0 0", and with "0".
+  if (!fitsInto(counts.points, 6, text.remaining()) || !fitsInto(counts.faces, 2, text.remaining() - 6 * counts.points))
+    text.fail("the file is too short for " + std::to_string(counts.points) + " points and " +
+              std::to_string(counts.faces) + " faces, or truncated");
   return counts;
 }
 
@@ -73,7 +75,7 @@ readFace(TextScanner& text, std::size_t points, std::vector<Index>& corners)
 {
   const std::int64_t count = text.integer();
   if (count < 0 || !fitsInto(static_cast<std::uint64_t>(count), 2, text.remaining()))
-    text.fail("a face with " + std::to_string(count) + " corners");
+    text.fail("a face of " + std::to_string(count) + " corners, which the file cannot hold");
   corners.clear();
   for (std::int64_t i = 0; i < count; ++i) {
     const std::int64_t corner = text.integer();

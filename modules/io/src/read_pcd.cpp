@@ -108,8 +108,8 @@ readCompressed(const FileContent& file, const PcdHeader& header, const FieldUse&
     file.failAtByte(file.size(), "the file ends within its compressed data");
   if (!fitsInto(header.points, header.pointBytes(), uncompressed) ||
       uncompressed != header.points * header.pointBytes() || uncompressed > largest_ratio * compressed)
-    file.failAtByte(header.end_byte, "the sizes of the compressed data do not belong to " +
-                                         std::to_string(header.points) + " points");
+    file.failAtByte(header.end_byte,
+                    "the sizes of the compressed data do not belong to " + std::to_string(header.points) + " points");
 
   std::vector<char> data(uncompressed);
   if (uncompressed > 0 && lzfDecompress(sizes + sizes_bytes, compressed, data.data(), uncompressed) != uncompressed)

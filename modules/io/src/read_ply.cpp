@@ -12,8 +12,7 @@ namespace {
 /** \brief Delivers the values of ascii records, one record a line. */
 class TextRecords {
 public:
-  TextRecords(const FileContent& file, const PlyHeader& header)
-  : text_(file, {}, header.end_byte, header.end_line)
+  TextRecords(const FileContent& file, const PlyHeader& header) : text_(file, {}, header.end_byte, header.end_line)
   {
   }
 
@@ -75,7 +74,7 @@ private:
 class BinaryRecords {
 public:
   BinaryRecords(const FileContent& file, const PlyHeader& header)
-  : file_(file), position_(header.end_byte), swap_bytes_(header.format == PlyFormat::BigEndian)
+      : file_(file), position_(header.end_byte), swap_bytes_(header.format == PlyFormat::BigEndian)
   {
   }
 

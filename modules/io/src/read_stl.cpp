@@ -37,7 +37,8 @@ public:
   }
 
 private:
-  /** \brief The slot that holds the position, or the free one that it belongs into. Compares bits, so NaN equals NaN. */
+  /** \brief The slot that holds the position, or the free one that it belongs into. Compares bits, so NaN equals NaN.
+   */
   std::size_t
   findSlot(const Vector3& position) const
   {
@@ -79,9 +80,8 @@ isBinary(const FileContent& file)
   if (file.size() >= prologue_bytes && file.size() == prologue_bytes + facet_bytes * std::uint64_t{facetCount(file)})
     return true;
   const std::string_view beginning = file.view().substr(0, 512);
-  const bool is_text = std::none_of(beginning.begin(), beginning.end(), [](char c) {
-    return static_cast<unsigned char>(c) < '\t';
-  });
+  const bool is_text =
+      std::none_of(beginning.begin(), beginning.end(), [](char c) { return static_cast<unsigned char>(c) < '\t'; });
   const std::size_t first = beginning.find_first_not_of(" \t\r\n");
   return !is_text || first == std::string_view::npos || toLower(beginning.substr(first, 5)) != "solid";
 }
@@ -101,8 +101,7 @@ readBinary(const FileContent& file)
   for (std::size_t i = 0; i < count; ++i) {
     const char* bytes = file.data() + prologue_bytes + i * facet_bytes + corners_offset;
     for (Index& corner : corners) {
-      corner = merger.add({loadScalar<float>(bytes, false),
-                           loadScalar<float>(bytes + sizeof(float), false),
+      corner = merger.add({loadScalar<float>(bytes, false), loadScalar<float>(bytes + sizeof(float), false),
                            loadScalar<float>(bytes + 2 * sizeof(float), false)});
       bytes += sizeof(Vector3);
     }

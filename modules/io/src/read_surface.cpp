@@ -1,7 +1,7 @@
-#include <pcl/symmetry/surface_io.h>
-
 #include "io/file_ending.h"
 #include "io/readers.h"
+
+#include <pcl/symmetry/surface_io.h>
 
 namespace pcl {
 namespace symmetry {

@@ -46,9 +46,7 @@ sizeOf(ScalarType type)
 float
 loadFloat(const char* bytes, ScalarType type, bool swap_bytes)
 {
-  return visitType(type, [=](auto zero) {
-    return static_cast<float>(loadScalar<decltype(zero)>(bytes, swap_bytes));
-  });
+  return visitType(type, [=](auto zero) { return static_cast<float>(loadScalar<decltype(zero)>(bytes, swap_bytes)); });
 }
 
 std::int64_t

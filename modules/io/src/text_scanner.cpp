@@ -45,7 +45,7 @@ parseOutOfRange(const char* begin, const char* end)
 } // namespace
 
 TextScanner::TextScanner(const FileContent& file, TextSyntax syntax, std::size_t begin, std::size_t line)
-: file_(file), syntax_(syntax), next_(file.data() + begin), end_(file.data() + file.size()), line_(line)
+    : file_(file), syntax_(syntax), next_(file.data() + begin), end_(file.data() + file.size()), line_(line)
 {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (begin == 0 && file.view().substr(0, byte_order_mark.size()) == byte_order_mark)

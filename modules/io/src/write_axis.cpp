@@ -1,9 +1,9 @@
-#include <pcl/symmetry/surface_io.h>
-
 #include "io/file_ending.h"
 #include "io/output_file.h"
 #include "io/record_writer.h"
 #include "io/result_check.h"
+
+#include <pcl/symmetry/surface_io.h>
 
 #include <pcl/exceptions.h>
 
@@ -58,7 +58,8 @@ toPly(const Surface& surface, const std::vector<Polyline>& axis)
                       "comment index: number of the vertex in the surface; curve: number of the polyline\n";
   bytes += "element vertex " + std::to_string(countPoints(axis)) + "\n";
   bytes += "property float x\nproperty float y\nproperty float z\nproperty int index\nproperty int curve\n";
-  bytes += "element edge " + std::to_string(edges.size()) + "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  bytes +=
+      "element edge " + std::to_string(edges.size()) + "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
   appendPoints(bytes, surface, axis);
   for (const std::array<Index, 2>& edge : edges)
     appendBytes(bytes, edge);

@@ -1,10 +1,10 @@
-#include <pcl/symmetry/surface_io.h>
-
 #include "io/file_ending.h"
 #include "io/output_file.h"
 #include "io/palette.h"
 #include "io/record_writer.h"
 #include "io/result_check.h"
+
+#include <pcl/symmetry/surface_io.h>
 
 #include <pcl/exceptions.h>
 
@@ -36,8 +36,7 @@ plyHeader(const Surface& surface)
   header += "property uchar red\nproperty uchar green\nproperty uchar blue\n"
             "property uint label\nproperty int partner\nproperty float confidence\nproperty uchar region\n";
   if (surface.hasFaces())
-    header += "element face " + std::to_string(surface.triangles.size()) +
-              "\nproperty list uchar int vertex_indices\n";
+    header += "element face " + std::to_string(surface.triangles.size()) + "\nproperty list uchar int vertex_indices\n";
   return header + "end_header\n";
 }
 

@@ -1,5 +1,3 @@
-#include <pcl/symmetry/surface_io.h>
-
 #include "geodesic/vector_math.h"
 #include "io/cloud_shading.h"
 #include "io/file_ending.h"
@@ -8,6 +6,8 @@
 #include "io/png.h"
 #include "io/rasterizer.h"
 #include "io/result_check.h"
+
+#include <pcl/symmetry/surface_io.h>
 
 #include <pcl/exceptions.h>
 
@@ -31,10 +31,10 @@ constexpr Color line_color = {40, 40, 48};
 class Projection {
 public:
   Projection(const PictureView& view, int width, int height)
-  : view_(view)
-  , width_(width)
-  , height_(height)
-  , scale_(std::min(static_cast<float>(width) / view.width, static_cast<float>(height) / view.height))
+      : view_(view),
+        width_(width),
+        height_(height),
+        scale_(std::min(static_cast<float>(width) / view.width, static_cast<float>(height) / view.height))
   {
   }
 
@@ -43,8 +43,7 @@ public:
   {
     const Vector3 offset = point - view_.centre;
     return {0.5F * static_cast<float>(width_) + scale_ * dot(offset, view_.right),
-            0.5F * static_cast<float>(height_) - scale_ * dot(offset, view_.up),
-            scale_ * dot(offset, view_.toward)};
+            0.5F * static_cast<float>(height_) - scale_ * dot(offset, view_.up), scale_ * dot(offset, view_.toward)};
   }
 
   float
@@ -79,7 +78,7 @@ struct Drawing {
   const SymmetryResult& result;
   std::vector<Vector3> normals; ///< per point
   std::vector<Color> colors;    ///< per point, unshaded
-  float spacing = 0.0F;         ///< of a cloud's points
+  std::vector<float> spacings;  ///< per point of a cloud
   std::vector<PartnerPair> lines;
 };
 
@@ -88,7 +87,9 @@ meshNormals(const Surface& surface)
 {
   std::vector<Vector3> normals(surface.size(), Vector3{0.0F, 0.0F, 0.0F});
   for (const Triangle& triangle : surface.triangles) {
-    const auto corner = [&](std::size_t i) { return surface.points[static_cast<std::size_t>(triangle[i])]; };
+    const auto corner = [&](std::size_t i) {
+      return surface.points[static_cast<std::size_t>(triangle[i])];
+    };
     const Vector3 normal = cross(corner(1) - corner(0), corner(2) - corner(0)); // as long as the triangle is large
     for (const Index index : triangle)
       normals[static_cast<std::size_t>(index)] = normals[static_cast<std::size_t>(index)] + normal;
@@ -105,7 +106,8 @@ pointColors(const SymmetryResult& result)
   colors.reserve(result.sides.size());
   for (std::size_t i = 0; i < result.sides.size(); ++i) {
     Color color = colorOf(result.sides[i] == Side::Axis ? Side::None : result.sides[i]);
-    const float share = result.sides[i] == Side::None ? 1.0F : 0.35F + 0.65F * std::clamp(result.confidences[i], 0.0F, 1.0F);
+    const float share =
+        result.sides[i] == Side::None ? 1.0F : 0.35F + 0.65F * std::clamp(result.confidences[i], 0.0F, 1.0F);
     for (std::uint8_t& channel : color)
       channel = static_cast<std::uint8_t>(std::lround(pale + share * (static_cast<float>(channel) - pale)));
     colors.push_back(color);
@@ -120,7 +122,9 @@ chooseLines(const Surface& surface, const SymmetryResult& result, std::vector<Pa
   const auto is_doubtful = [&](const PartnerPair& pair) {
     return result.confidences[static_cast<std::size_t>(pair.source)] < 0.5F;
   };
-  const auto position = [&](const PartnerPair& pair) { return surface.points[static_cast<std::size_t>(pair.source)]; };
+  const auto position = [&](const PartnerPair& pair) {
+    return surface.points[static_cast<std::size_t>(pair.source)];
+  };
   if (!std::all_of(pairs.begin(), pairs.end(), is_doubtful))
     pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_doubtful), pairs.end());
   std::vector<float> distances(pairs.size(), std::numeric_limits<float>::infinity());
@@ -166,12 +170,14 @@ void
 drawCloud(const Drawing& drawing, const Projection& projection, Rasterizer& canvas)
 {
   // Discs overlap, so that the far side does not shine through, but stay small enough to show the shape.
-  const float radius = std::max(0.75F * supersampling, 0.8F * drawing.spacing * projection.scale());
+  constexpr float smallest = 0.75F * supersampling;
+  constexpr float largest = 14.0F * supersampling;
   for (std::size_t i = 0; i < drawing.surface.size(); ++i) {
-    if (isFinite(drawing.surface.points[i]))
-      canvas.fillDisc(projection.project(drawing.surface.points[i]),
-                      radius,
-                      shade(drawing.colors[i], projection.brightness(drawing.normals[i])));
+    if (!isFinite(drawing.surface.points[i]))
+      continue;
+    const float radius = std::clamp(drawing.spacings[i] * projection.scale(), smallest, largest);
+    const Color color = shade(drawing.colors[i], projection.brightness(drawing.normals[i]));
+    canvas.fillDisc(projection.project(drawing.surface.points[i]), radius, color);
   }
 }
 
@@ -188,11 +194,8 @@ drawAxis(const Drawing& drawing, const Projection& projection, float lift, Raste
     const std::size_t count = line.points.size();
     const std::size_t segments = line.closed ? count : std::max<std::size_t>(count, 1) - 1;
     for (std::size_t i = 0; i < segments; ++i)
-      canvas.blendSegment(place(line.points[i]),
-                          place(line.points[(i + 1) % count]),
-                          axis_radius * supersampling,
-                          colorOf(Side::Axis),
-                          opacity);
+      canvas.blendSegment(place(line.points[i]), place(line.points[(i + 1) % count]), axis_radius * supersampling,
+                          colorOf(Side::Axis), opacity);
   }
 }
 
@@ -254,23 +257,22 @@ writePicture(const std::string& path, const Surface& surface, const SymmetryResu
   const std::vector<PartnerPair> pairs = findPartnerPairs(surface, result);
   const PictureView view = chooseView(surface, result, pairs);
 
-  Drawing drawing = {surface, result, surface.normals, pointColors(result), 0.0F, chooseLines(surface, result, pairs)};
+  Drawing drawing = {surface, result, surface.normals, pointColors(result), {}, chooseLines(surface, result, pairs)};
   if (surface.hasFaces()) {
     drawing.normals = meshNormals(surface);
   }
   else {
     CloudShading shading = estimateCloudShading(surface.points);
-    drawing.spacing = shading.spacing;
+    drawing.spacings = std::move(shading.spacings);
     if (drawing.normals.empty())
       drawing.normals = std::move(shading.normals);
   }
   // The shape of the panels follows that of the surface, within limits.
-  const float aspect = std::clamp(view.width / std::max(view.height, 1e-6F * view.width), 0.5F, 1.6F);
+  const float aspect = std::clamp(view.width / view.height, 0.5F, 1.6F);
   const int width = static_cast<int>(std::lround(std::sqrt(panel_pixels * aspect)));
   const int height = static_cast<int>(std::lround(std::sqrt(panel_pixels / aspect)));
-  writeWholeFile(path,
-                 encodePng(sideBySide(drawPanel(drawing, view, width, height),
-                                      drawPanel(drawing, view.fromBehind(), width, height))));
+  writeWholeFile(path, encodePng(sideBySide(drawPanel(drawing, view, width, height),
+                                            drawPanel(drawing, view.fromBehind(), width, height))));
 }
 
 } // namespace symmetry

@@ -1,7 +1,7 @@
-#include <pcl/symmetry/surface_io.h>
-
 #include "io/output_file.h"
 #include "io/record_writer.h"
+
+#include <pcl/symmetry/surface_io.h>
 
 #include <nlohmann/json.hpp>
 
@@ -46,8 +46,8 @@ nameOf(PairingFeature feature)
   }
 }
 
-/** \brief A float as 0.1, not as the 0.10000000149011612 that it is as a double; null where it is not finite, which JSON
- * has no number for. */
+/** \brief A float as 0.1, not as the 0.10000000149011612 that it is as a double; null where it is not finite, which
+ * JSON has no number for. */
 Json
 toJson(float value)
 {
@@ -122,7 +122,9 @@ Json
 describeSeconds(const std::vector<std::pair<std::string, double>>& steps)
 {
   // Whole microseconds: the total is the sum of the numbers that a reader sees.
-  const auto round = [](double seconds) { return std::round(seconds * 1e6) / 1e6; };
+  const auto round = [](double seconds) {
+    return std::round(seconds * 1e6) / 1e6;
+  };
   Json seconds = Json::object();
   double total = 0.0;
   for (const auto& [step, duration] : steps) {

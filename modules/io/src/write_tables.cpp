@@ -1,8 +1,8 @@
-#include <pcl/symmetry/surface_io.h>
-
 #include "io/output_file.h"
 #include "io/record_writer.h"
 #include "io/result_check.h"
+
+#include <pcl/symmetry/surface_io.h>
 
 namespace pcl {
 namespace symmetry {

@@ -1,0 +1,96 @@
+#include "io/temporary_folder.h"
+
+#include <pcl/symmetry/surface_io.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace pcl {
+namespace symmetry {
+namespace test {
+namespace {
+
+using ReadStl = TemporaryFolder;
+using Facet = std::array<Vector3, 3>;
+
+const std::vector<Facet> tetrahedron = {{{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}},
+                                        {{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}},
+                                        {{{0, 0, 0}, {0, 0, 1}, {0, 1, 0}}},
+                                        {{{1, 0, 0}, {0, 1, 0}, {-0.0F, 0, 1}}}};
+const std::vector<Vector3> corners = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
+const std::vector<Triangle> triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {2, 1, 3}};
+
+std::string
+binaryStl(std::string header, const std::vector<Facet>& facets)
+{
+  header.resize(80, ' ');
+  Bytes bytes;
+  bytes.add(static_cast<std::uint32_t>(facets.size()));
+  for (const Facet& facet : facets)
+    bytes.add(Vector3{0, 0, 1}, facet[0], facet[1], facet[2], std::uint16_t{0});
+  return header + bytes.str();
+}
+
+std::string
+textStl(const std::vector<Facet>& facets)
+{
+  std::string text = "solid a name of several words\n";
+  for (const Facet& facet : facets) {
+    text += "  facet normal 0 0 1\n    outer loop\n";
+    for (const Vector3& v : facet)
+      text += "      vertex " + std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]) + "\n";
+    text += "    endloop\n  endfacet\n";
+  }
+  return text + "endsolid a name of several words\n";
+}
+
+TEST_F(ReadStl, EqualPositionsBecomeOnePoint)
+{
+  const std::string contents[] = {binaryStl("made by hand", tetrahedron), binaryStl("solid but binary", tetrahedron),
+                                  binaryStl("solid padded", tetrahedron) + std::string(6, '\0'), textStl(tetrahedron)};
+  for (const std::string& content : contents) {
+    SCOPED_TRACE(content.substr(0, 16));
+    const Surface surface = readSurface(writeFile("tetrahedron.StL", content));
+    EXPECT_EQ(surface.points, corners);
+    EXPECT_EQ(surface.triangles, triangles);
+  }
+}
+
+TEST_F(ReadStl, SeveralSolidsInCapitals)
+{
+  std::string text = textStl({tetrahedron[0]}) + textStl({tetrahedron[1]});
+  for (char& c : text)
+    c = static_cast<char>(std::toupper(c));
+  const Surface surface = readSurface(writeFile("two.stl", text));
+  EXPECT_EQ(surface.points, corners);
+  EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST_F(ReadStl, ADegenerateFacetLeavesItsPoints)
+{
+  const Surface surface =
+      readSurface(writeFile("flat.stl", binaryStl("", {{{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}}, tetrahedron[0]})));
+  EXPECT_EQ(surface.points, (std::vector<Vector3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 2, 1}}));
+}
+
+TEST_F(ReadStl, ManyPointsKeepTheirNumbers)
+{
+  std::vector<Facet> facets;
+  for (int i = 0; i < 5000; ++i) {
+    const auto x = static_cast<float>(i);
+    facets.push_back({{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}});
+  }
+  const Surface surface = readSurface(writeFile("strip.stl", binaryStl("", facets)));
+  ASSERT_EQ(surface.size(), 10001U);
+  ASSERT_EQ(surface.triangles.size(), facets.size());
+  for (std::size_t i = 0; i < facets.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      ASSERT_EQ(surface.points[static_cast<std::size_t>(surface.triangles[i][k])], facets[i][k]);
+}
+
+} // namespace
+} // namespace test
+} // namespace symmetry
+} // namespace pcl
