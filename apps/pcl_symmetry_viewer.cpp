@@ -8,6 +8,7 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 #include <pcl/visualization/pcl_visualizer.h>
+#include <vtkObject.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -301,6 +302,8 @@ show(const po::variables_map& arguments)
   const char* const display = std::getenv("DISPLAY");
   if (display == nullptr || *display == '\0')
     throw std::runtime_error("no display: DISPLAY is not set");
+  // PCL 1.13 calls functions that VTK 9.1 warns about at every click.
+  vtkObject::GlobalWarningDisplayOff();
   const bool on_screen = arguments.count("screenshot") == 0;
   Viewer viewer(surface, on_screen);
   viewer.addPartnerLines(static_cast<std::size_t>(partners));
