@@ -103,8 +103,8 @@ TEST(ErrorCurvePlotTest, DrawsALabelledLinePerCurve)
 {
   const std::string svg = drawErrorCurves({{"A & B", {0.0, 0.25}, {0.0, 1.0}}, {"C", {0.0, 0.25}, {0.5, 0.5}}});
   // The plot area is 70 to 550 wide and 30 to 420 high.
-  EXPECT_NE(svg.find("points=\"70.0,420.0 550.0,30.0\""), std::string::npos) << svg;
-  EXPECT_NE(svg.find("points=\"70.0,225.0 550.0,225.0\""), std::string::npos) << svg;
+  EXPECT_NE(svg.find("points='70.0,420.0 550.0,30.0'"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("points='70.0,225.0 550.0,225.0'"), std::string::npos) << svg;
   EXPECT_NE(svg.find(">A &amp; B</text>"), std::string::npos);
   EXPECT_NE(svg.find(">0.25</text>"), std::string::npos) << "end of the axis";
   EXPECT_EQ(svg.find("nan"), std::string::npos);
