@@ -5,6 +5,7 @@
 
 #include <pcl/symmetry/surface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>

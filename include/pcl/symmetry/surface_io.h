@@ -1,5 +1,10 @@
 /** \file
  * \brief Strict readers of surfaces and writers of labelled results; component `io`.
+ *
+ * Every writer makes its file appear whole or not at all: it writes beside the place and renames at the end; a link is
+ * followed, and a device or pipe, such as /dev/stdout, is written to directly. All functions may be called from several
+ * threads at once, as long as no two of them write the same file. Cost is linear in the size of the file unless said
+ * otherwise.
  */
 #pragma once
 
@@ -13,54 +18,105 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief Reads a surface from a .pcd, .ply, .obj, .off or .stl file, any letter case.
+/** \brief Ending of the last part of \a path with its dot, in small letters (".ply"); empty where it has none.
+ * \ingroup symmetry
+ */
+PCL_SYMMETRY_EXPORTS std::string
+fileEnding(const std::string& path);
+
+/** \brief Reads a surface from a .pcd, .ply, .obj, .off or .stl file, any letter case of the ending.
  *
- * Faces are read where the file has them, polygons become triangle fans, normals are kept where the file has one per
- * point. Vertices keep their number and order, except in STL files, where equal positions become one vertex.
- * \param[in] path file to read
- * \throws pcl::IOException cannot be opened, is no such file, is truncated, has a face with a vertex that is not there;
- * the message names the file, the line or byte, and the reason
+ * - PCD: ascii, binary and binary_compressed; fields x y z and normal_x normal_y normal_z of any number type.
+ * - PLY: ascii and binary of both byte orders; x y z and nx ny nz of any type, faces, triangle strips.
+ * - OBJ: v, f in all forms, and vn where each point has the normal of its own number.
+ * - OFF: text, with the prefixes ST, C and N.
+ * - STL: ascii and binary; equal positions become one point, numbered in the order of their first appearance.
+ *
+ * Other fields, properties, elements and keywords are passed over. Points keep their number and order (but in STL), and
+ * duplicates, unused and non-finite points are kept: nan and inf are numbers, and what is too large for a float is
+ * infinite. Polygons become triangle fans around their first corner. Faces of fewer than three corners, and triangles
+ * with two equal corners, have no area and are left out. \param[in] path a regular file \return at least one point;
+ * normals where the file has one per point \throws pcl::IOException cannot be opened, has another ending, is empty,
+ * truncated or malformed, promises more than it can hold, or has a face with a point that is not there; the message
+ * names file, line (from 1) or byte (from 0), and reason \ingroup symmetry
  */
 PCL_SYMMETRY_EXPORTS Surface
 readSurface(const std::string& path);
 
-/** \brief Writes the labelled surface as .ply (with faces) or .pcd: x y z, rgb, label, partner, confidence, region.
+/** \brief Throws unless a file can be made at \a path, or be replaced; leaves all as it was.
  *
- * As every writer here: the file appears whole or not at all (it is written beside its place and then renamed).
+ * For programs that compute long before they write. Nothing ensures that writing succeeds later.
+ * \throws pcl::IOException the folder is missing or cannot be written to; names file and reason
+ * \ingroup symmetry
+ */
+PCL_SYMMETRY_EXPORTS void
+checkWritable(const std::string& path);
+
+/** \brief Writes the labelled surface as binary .ply (with faces) or .pcd.
+ *
+ * Per point: x y z, its normal where the surface has normals, colour of the side, label (uint, see Side), partner (int,
+ * -1: none), confidence (float), region (uchar, see Region). pcl::io::loadPCDFile and loadPLYFile read it into
+ * PointXYZL and PointXYZRGBL.
  * \throws pcl::IOException cannot be written, or the ending is neither .ply nor .pcd
+ * \throws pcl::BadArgumentException the result does not belong to the surface: another number of points, or an index
+ * out of range
+ * \ingroup symmetry
  */
 PCL_SYMMETRY_EXPORTS void
 writeLabelledSurface(const std::string& path, const Surface& surface, const SymmetryResult& result);
 
 /** \brief Writes `vertex,partner,confidence`, one line per input point, 0-based, partner -1 where there is none.
- * \throws pcl::IOException */
+ * Numbers read back as they were. \throws pcl::IOException cannot be written \throws pcl::BadArgumentException the
+ * arrays of the result differ in length, or an index is out of range \ingroup symmetry
+ */
 PCL_SYMMETRY_EXPORTS void
 writeMap(const std::string& path, const SymmetryResult& result);
 
-/** \brief Writes the sparse matches `source,target,midpoint,cost`.
- * \throws pcl::IOException */
+/** \brief Writes the sparse matches `source,target,midpoint,cost`, 0-based, midpoint -1 where there is none.
+ * \throws pcl::IOException cannot be written
+ * \ingroup symmetry
+ */
 PCL_SYMMETRY_EXPORTS void
 writeCorrespondences(const std::string& path, const SymmetryResult& result);
 
-/** \brief Writes the axis curve as .ply (vertices and edges) or .pcd (points in order).
- * \throws pcl::IOException */
+/** \brief Writes the axis curve as binary .ply (vertices and edges; a closed polyline has the edge that closes it) or
+ * .pcd.
+ *
+ * Points come in the order of the polylines, each with \a index, its number in the surface, and \a curve, the number of
+ * its polyline. Without an axis the file has no points.
+ * \throws pcl::IOException cannot be written, or the ending is neither .ply nor .pcd
+ * \throws pcl::BadArgumentException the result does not belong to the surface
+ * \ingroup symmetry
+ */
 PCL_SYMMETRY_EXPORTS void
 writeAxis(const std::string& path, const Surface& surface, const SymmetryResult& result);
 
 /** \brief Writes the report: one JSON object.
+ *
+ * Keys: status, message, confidence, diameter, input, map, matches (their number), alternatives (only where there are
+ * several), parameters, seconds (steps in order, and their sum as total), version. A number that is not finite is null.
  * \param[in] path file to write
- * \param[in] input_file name of the input as it is to appear in the report
+ * \param[in] input_file name of the input as it is to appear in the report; what is not UTF-8 is replaced
  * \param[in] parameters all that were in force
  * \param[in] result what was found, with the seconds per step
- * \throws pcl::IOException */
+ * \throws pcl::IOException cannot be written
+ * \ingroup symmetry
+ */
 PCL_SYMMETRY_EXPORTS void
 writeReport(const std::string& path,
             const std::string& input_file,
             const SymmetryParameters& parameters,
             const SymmetryResult& result);
 
-/** \brief Renders front and back of the surface side by side: sides, axis, partner lines. Needs no display.
- * \throws pcl::IOException */
+/** \brief Renders front and back of the surface side by side as .png: sides, axis, about forty partner lines. Needs no
+ * display.
+ *
+ * Source side blue, target side orange, both paler where the confidence is low; axis dark red; grey where there is no
+ * side. The view is chosen so that both sides are seen.
+ * \throws pcl::IOException cannot be written, or the ending is not .png
+ * \throws pcl::BadArgumentException the result does not belong to the surface
+ * \ingroup symmetry
+ */
 PCL_SYMMETRY_EXPORTS void
 writePicture(const std::string& path, const Surface& surface, const SymmetryResult& result);
 

@@ -1,6 +1,6 @@
-#include "io/file_ending.h"
-
 #include "io/text_scanner.h"
+
+#include <pcl/symmetry/surface_io.h>
 
 namespace pcl {
 namespace symmetry {

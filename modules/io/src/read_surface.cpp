@@ -1,4 +1,3 @@
-#include "io/file_ending.h"
 #include "io/readers.h"
 
 #include <pcl/symmetry/surface_io.h>

@@ -1,4 +1,3 @@
-#include "io/file_ending.h"
 #include "io/output_file.h"
 #include "io/record_writer.h"
 #include "io/result_check.h"

@@ -1,4 +1,3 @@
-#include "io/file_ending.h"
 #include "io/output_file.h"
 #include "io/palette.h"
 #include "io/record_writer.h"

@@ -1,6 +1,5 @@
 #include "geodesic/vector_math.h"
 #include "io/cloud_shading.h"
-#include "io/file_ending.h"
 #include "io/output_file.h"
 #include "io/picture_view.h"
 #include "io/png.h"
