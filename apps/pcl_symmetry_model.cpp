@@ -161,6 +161,8 @@ printSummary(const Options& options, const Model& model)
 void
 run(const Options& options, const po::variables_map& values)
 {
+  Model nothing;
+  disturb(nothing, options, values); // refuses wrong values before the work starts
   Model model = makeModel(options.model);
   disturb(model, options, values);
   writePlainSurface(options.output, model.surface);

@@ -25,7 +25,7 @@ struct Bone {
 
 /** \brief A round cone that moves with a bone. */
 struct Flesh {
-  int bone = 0;
+  int bone;
   RoundCone cone;
 };
 

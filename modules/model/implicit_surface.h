@@ -12,16 +12,52 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief The convex hull of two spheres; with equal ends a sphere. */
-struct RoundCone {
-  Eigen::Vector3d start = Eigen::Vector3d::Zero();
-  Eigen::Vector3d end = Eigen::Vector3d::Zero();
-  double start_radius = 0.0;
-  double end_radius = 0.0;
-};
+class RoundCone {
+public:
+  /** \param[in] start centre of one sphere
+   *  \param[in] start_radius its radius
+   *  \param[in] end centre of the other one: where the start is, or farther away than the radii differ
+   *  \param[in] end_radius its radius */
+  RoundCone(const Eigen::Vector3d& start, double start_radius, const Eigen::Vector3d& end, double end_radius);
 
-/** \brief Signed distance to a round cone, negative inside, and its gradient: exact, of slope one everywhere. */
-double
-signedDistance(const RoundCone& cone, const Eigen::Vector3d& point, Eigen::Vector3d& gradient);
+  /** \brief Distance of a point, negative inside, and its gradient: exact, of slope one everywhere. */
+  double
+  signedDistance(const Eigen::Vector3d& point, Eigen::Vector3d& gradient) const;
+
+  const Eigen::Vector3d&
+  start() const
+  {
+    return start_;
+  }
+
+  const Eigen::Vector3d&
+  end() const
+  {
+    return end_;
+  }
+
+  double
+  startRadius() const
+  {
+    return start_radius_;
+  }
+
+  double
+  endRadius() const
+  {
+    return end_radius_;
+  }
+
+private:
+  Eigen::Vector3d start_;
+  Eigen::Vector3d end_;
+  double start_radius_;
+  double end_radius_;
+  Eigen::Vector3d direction_ = Eigen::Vector3d::Zero(); ///< of the axis, of unit length
+  double length_ = 0.0;                                 ///< of the axis
+  double taper_ = 0.0;                                  ///< loss of radius per length
+  double lean_ = 0.0; ///< how far back along the axis a normal of the mantle starts, per distance from the axis
+};
 
 /** \brief The zero set of the soft minimum f = -k log sum exp (-d_i / k) of the distances to round cones.
  *
@@ -30,7 +66,7 @@ signedDistance(const RoundCone& cone, const Eigen::Vector3d& point, Eigen::Vecto
  */
 class ImplicitSurface {
 public:
-  /** \param[in] cones at least one, each longer than its radii differ (or both ends equal)
+  /** \param[in] cones at least one
    *  \param[in] blend k, the width of the rounding, a length above 0 */
   ImplicitSurface(std::vector<RoundCone> cones, double blend);
 

@@ -31,7 +31,7 @@ enum class Extent {
  * \param[in] surface what to polygonise; features thinner than the lattice may be lost
  * \param[in] cell edge of the cubic cells, a length above 0
  * \param[in] extent whole, or one half of a surface that is mirror symmetric about x = 0
- * \return about 7 vertices per square of side \a cell; many triangles are slivers, see reduce and relax
+ * \return about 6.5 vertices per square of side \a cell; many triangles are slivers, see reduce and relax
  *
  * Cost: only cells near the surface are looked at; time and memory grow with the area over the square of \a cell.
  */

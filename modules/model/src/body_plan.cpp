@@ -39,7 +39,7 @@ void
 BodyPlan::addFlesh(
     int bone, const Eigen::Vector3d& start, double start_radius, const Eigen::Vector3d& end, double end_radius)
 {
-  flesh_.push_back({bone, {start, end, start_radius, end_radius}});
+  flesh_.push_back({bone, RoundCone(start, start_radius, end, end_radius)});
 }
 
 void
@@ -59,9 +59,9 @@ BodyPlan::mirror()
   }
   const std::vector<Flesh> one_side = flesh_;
   for (const Flesh& piece : one_side)
-    if (piece.cone.start.x() != 0.0 || piece.cone.end.x() != 0.0)
-      addFlesh(image[static_cast<std::size_t>(piece.bone)], mirrored(piece.cone.start), piece.cone.start_radius,
-               mirrored(piece.cone.end), piece.cone.end_radius);
+    if (piece.cone.start().x() != 0.0 || piece.cone.end().x() != 0.0)
+      addFlesh(image[static_cast<std::size_t>(piece.bone)], mirrored(piece.cone.start()), piece.cone.startRadius(),
+               mirrored(piece.cone.end()), piece.cone.endRadius());
 }
 
 void

@@ -16,29 +16,29 @@ constexpr int newton_steps = 3;
 
 } // namespace
 
+RoundCone::RoundCone(const Eigen::Vector3d& start, double start_radius, const Eigen::Vector3d& end, double end_radius)
+    : start_(start), end_(end), start_radius_(start_radius), end_radius_(end_radius), length_((end - start).norm())
+{
+  if (length_ == 0.0)
+    return;
+  direction_ = (end - start) / length_;
+  taper_ = (start_radius - end_radius) / length_;
+  lean_ = taper_ / std::sqrt(1.0 - taper_ * taper_);
+}
+
 double
-signedDistance(const RoundCone& cone, const Eigen::Vector3d& point, Eigen::Vector3d& gradient)
+RoundCone::signedDistance(const Eigen::Vector3d& point, Eigen::Vector3d& gradient) const
 {
   // The cone is the union of spheres with centre c (t) and radius r (t); |p - c (t)| - r (t) is convex in t, and least
-  // where the line from the centre to the point leaves the axis at the slope of the mantle.
-  const Eigen::Vector3d axis = cone.end - cone.start;
-  const double length = axis.norm();
-  Eigen::Vector3d centre = cone.start;
-  double radius = cone.start_radius;
-  if (length > 0.0) {
-    const Eigen::Vector3d direction = axis / length;
-    const double taper = (cone.start_radius - cone.end_radius) / length;
-    const Eigen::Vector3d offset = point - cone.start;
-    const double along = offset.dot(direction);
-    const double across = (offset - along * direction).norm();
-    const double t = std::clamp(along - across * taper / std::sqrt(1.0 - taper * taper), 0.0, length);
-    centre += t * direction;
-    radius -= t * taper;
-  }
-  gradient = point - centre;
+  // where the line from the centre to the point is a normal of the mantle.
+  const Eigen::Vector3d offset = point - start_;
+  const double along = offset.dot(direction_);
+  const double across = std::sqrt(std::max(offset.squaredNorm() - along * along, 0.0));
+  const double t = std::clamp(along - across * lean_, 0.0, length_);
+  gradient = offset - t * direction_;
   const double distance = gradient.norm();
   gradient /= std::max(distance, std::numeric_limits<double>::min());
-  return distance - radius;
+  return distance - (start_radius_ - t * taper_);
 }
 
 ImplicitSurface::ImplicitSurface(std::vector<RoundCone> cones, double blend) : cones_(std::move(cones)), blend_(blend)
@@ -55,10 +55,10 @@ ImplicitSurface::measureBox()
   lowest_.setConstant(std::numeric_limits<double>::max());
   highest_ = -lowest_;
   for (const RoundCone& cone : cones_) {
-    lowest_ = lowest_.cwiseMin((cone.start.array() - cone.start_radius).matrix());
-    lowest_ = lowest_.cwiseMin((cone.end.array() - cone.end_radius).matrix());
-    highest_ = highest_.cwiseMax((cone.start.array() + cone.start_radius).matrix());
-    highest_ = highest_.cwiseMax((cone.end.array() + cone.end_radius).matrix());
+    lowest_ = lowest_.cwiseMin((cone.start().array() - cone.startRadius()).matrix());
+    lowest_ = lowest_.cwiseMin((cone.end().array() - cone.endRadius()).matrix());
+    highest_ = highest_.cwiseMax((cone.start().array() + cone.startRadius()).matrix());
+    highest_ = highest_.cwiseMax((cone.end().array() + cone.endRadius()).matrix());
   }
   // The soft minimum swells the union by at most this much.
   const double swelling = blend_ * std::log(static_cast<double>(cones_.size()));
@@ -80,7 +80,7 @@ ImplicitSurface::indexCones()
       for (int x = 0; x < cells_.x(); ++x) {
         const Eigen::Vector3d centre = lowest_ + cell_ * Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5);
         for (std::size_t i = 0; i < cones_.size(); ++i)
-          distances[i] = signedDistance(cones_[i], centre, unused);
+          distances[i] = cones_[i].signedDistance(centre, unused);
         const double limit = *std::min_element(distances.begin(), distances.end()) + slack;
         std::vector<std::uint16_t>& cell = near_.emplace_back();
         for (std::size_t i = 0; i < cones_.size(); ++i)
@@ -115,7 +115,7 @@ ImplicitSurface::value(const Eigen::Vector3d& point, Eigen::Vector3d& gradient) 
   gradients.resize(cones.size());
   double nearest = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < cones.size(); ++i) {
-    distances[i] = signedDistance(cones_[cones[i]], point, gradients[i]);
+    distances[i] = cones_[cones[i]].signedDistance(point, gradients[i]);
     nearest = std::min(nearest, distances[i]);
   }
   // Which cones count is decided by the point alone, so that the value does not depend on the cell of the index.

@@ -27,7 +27,7 @@ addFinger(BodyPlan& plan, const std::string& name, int palm, const V& base, cons
 BodyPlan
 handPlan()
 {
-  BodyPlan plan(0.006, 0.012);
+  BodyPlan plan(0.006, 0.009);
   const int wrist = plan.addBone("wrist", -1, V(0, 0, 0), V(-5, -5, -5), V(5, 5, 5));
   plan.addFlesh(wrist, V(0.02, -0.30, 0), 0.085, V(0.01, 0.02, 0), 0.075);
   const int palm = plan.addBone("palm", wrist, V(0, 0.05, 0), V(-20, -10, -10), V(20, 10, 10));
@@ -50,7 +50,7 @@ helixPlan()
   constexpr int pieces = 40;
   constexpr double turns = 2.25;
   constexpr double two_pi = 6.283185307179586;
-  BodyPlan plan(0.012, 0.022);
+  BodyPlan plan(0.012, 0.032);
   const int coil = plan.addBone("coil", -1, V(0, 0, 0), V(-10, -10, -10), V(10, 10, 10));
   // The tube grows towards one end, so that it is no mirror image of itself end to end.
   const auto centre = [](double t) -> V {

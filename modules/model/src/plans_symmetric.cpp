@@ -40,7 +40,7 @@ void
 addHumanLeg(BodyPlan& plan)
 {
   const int pelvis = plan.find("pelvis");
-  const int thigh = plan.addBone("left thigh", pelvis, V(0.105, 0.91, 0), V(-65, -15, -4), V(20, 15, 22));
+  const int thigh = plan.addBone("left thigh", pelvis, V(0.105, 0.91, 0), V(-50, -15, -4), V(20, 15, 22));
   plan.addFlesh(thigh, V(0.108, 0.88, 0), 0.086, V(0.150, 0.50, 0.005), 0.058);
   const int shin = plan.addBone("left shin", thigh, V(0.150, 0.50, 0.005), V(5, 0, 0), V(80, 0, 0));
   plan.addFlesh(shin, V(0.150, 0.50, 0.005), 0.057, V(0.180, 0.11, -0.020), 0.038);
@@ -162,7 +162,7 @@ addBirdWing(BodyPlan& plan)
 BodyPlan
 humanPlan()
 {
-  BodyPlan plan(0.010, 0.016);
+  BodyPlan plan(0.010, 0.022);
   addHumanTrunk(plan);
   addHumanArm(plan, "left", V(0.195, 1.425, -0.015), 0.0);
   addHumanLeg(plan);
@@ -173,7 +173,7 @@ humanPlan()
 BodyPlan
 quadrupedPlan()
 {
-  BodyPlan plan(0.010, 0.018);
+  BodyPlan plan(0.010, 0.025);
   addQuadrupedTrunk(plan);
   addQuadrupedTail(plan);
   addQuadrupedLegs(plan);
@@ -184,7 +184,7 @@ quadrupedPlan()
 BodyPlan
 spiderPlan()
 {
-  BodyPlan plan(0.010, 0.018);
+  BodyPlan plan(0.010, 0.024);
   const int trunk = plan.addBone("trunk", -1, V(0, 0.30, 0.12), V(-5, -10, -5), V(5, 10, 5));
   plan.addFlesh(trunk, V(0.035, 0.31, 0.04), 0.125, V(0.030, 0.30, 0.22), 0.105);
   plan.addFlesh(trunk, V(0.045, 0.27, 0.30), 0.036, V(0.050, 0.18, 0.36), 0.024);
@@ -204,7 +204,7 @@ spiderPlan()
 BodyPlan
 birdPlan()
 {
-  BodyPlan plan(0.012, 0.015);
+  BodyPlan plan(0.012, 0.020);
   const int body = plan.addBone("body", -1, V(0, 0.50, 0), V(-8, -8, -8), V(8, 8, 8));
   plan.addFlesh(body, V(0, 0.50, 0.10), 0.140, V(0, 0.49, -0.20), 0.085);
   const int neck = plan.addBone("neck", body, V(0, 0.58, 0.18), V(-15, -20, -10), V(15, 20, 10));

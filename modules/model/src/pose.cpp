@@ -51,8 +51,8 @@ skinWeights(const BodyPlan& plan, const Eigen::Vector3d& point, std::vector<doub
   std::fill(weights.begin(), weights.end(), 0.0);
   Eigen::Vector3d unused;
   for (const Flesh& piece : plan.flesh()) {
-    const double radius = std::min(piece.cone.start_radius, piece.cone.end_radius);
-    const double distance = signedDistance(piece.cone, point, unused);
+    const double radius = std::min(piece.cone.startRadius(), piece.cone.endRadius());
+    const double distance = piece.cone.signedDistance(point, unused);
     weights[static_cast<std::size_t>(piece.bone)] += std::exp(-distance / (falloff * radius));
   }
 }
