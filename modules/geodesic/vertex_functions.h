@@ -21,5 +21,17 @@ smoothOverRings(const SurfaceGraph& graph, std::vector<float> values, int rounds
 std::vector<Index>
 localMaxima(const SurfaceGraph& graph, const std::vector<float>& values);
 
+/** \brief Those of some vertices that have no vertex of a larger value among them closer than \a separation.
+ *
+ * Taken greedily from the largest value down (ties: the lowest vertex first); a vertex that was not taken suppresses
+ * none.
+ * \return in the order taken
+ */
+std::vector<Index>
+separated(const SurfaceGraph& graph,
+          const std::vector<Index>& vertices,
+          const std::vector<float>& values,
+          float separation);
+
 } // namespace symmetry
 } // namespace pcl

@@ -1,5 +1,10 @@
 #include "geodesic/vertex_functions.h"
 
+#include "geodesic/bucket_queue.h"
+#include "geodesic/shortest_paths.h"
+
+#include <algorithm>
+
 namespace pcl {
 namespace symmetry {
 
@@ -35,6 +40,28 @@ localMaxima(const SurfaceGraph& graph, const std::vector<float>& values)
     }
   }
   return maxima;
+}
+
+std::vector<Index>
+separated(const SurfaceGraph& graph,
+          const std::vector<Index>& vertices,
+          const std::vector<float>& values,
+          float separation)
+{
+  std::vector<Index> order = vertices;
+  std::sort(order.begin(), order.end(),
+            [&values](Index a, Index b) { return values[a] != values[b] ? values[a] > values[b] : a < b; });
+  std::vector<Index> taken;
+  std::vector<float> nearest(graph.size(), unreachable); // distance to the nearest vertex taken
+  BucketQueue queue(graph);
+  for (const Index v : order) {
+    if (nearest[v] >= separation) {
+      taken.push_back(v);
+      nearest[v] = 0.0F;
+      queue.relax({v}, nearest.data(), [](Index, Index) {});
+    }
+  }
+  return taken;
 }
 
 } // namespace symmetry

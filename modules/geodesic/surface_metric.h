@@ -1,0 +1,81 @@
+/** \file
+ * \brief Distances between vertices of a surface behind one interface: along the surface, or straight through space.
+ */
+#pragma once
+
+#include "geodesic/shortest_paths.h"
+#include "geodesic/surface_graph.h"
+
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief A way to measure distances between the vertices of one surface. Thread-safe. */
+class SurfaceMetric {
+public:
+  virtual ~SurfaceMetric() = default;
+
+  /** \brief One field of distances to all vertices per source.
+   * \param[in] threads 0: all cores; the result does not depend on it */
+  virtual DistanceFields
+  fields(const std::vector<Index>& sources, unsigned threads) const = 0;
+
+  /** \brief Farthest-point sampling, see farthestPointSampling (); \a start is the first sample. */
+  virtual std::vector<Index>
+  farthestPoints(Index start, std::size_t count) const = 0;
+
+  /** \brief The vertex half way between the two of each pair. */
+  virtual std::vector<Index>
+  midpoints(const std::vector<std::pair<Index, Index>>& pairs, unsigned threads) const = 0;
+};
+
+/** \brief Shortest paths along a connected graph; the midpoint is that of such a path. */
+class GeodesicMetric : public SurfaceMetric {
+public:
+  /** \param[in] graph connected; referred to, not copied */
+  explicit GeodesicMetric(const SurfaceGraph& graph) : graph_(graph)
+  {
+  }
+
+  DistanceFields
+  fields(const std::vector<Index>& sources, unsigned threads) const override;
+
+  std::vector<Index>
+  farthestPoints(Index start, std::size_t count) const override;
+
+  std::vector<Index>
+  midpoints(const std::vector<std::pair<Index, Index>>& pairs, unsigned threads) const override;
+
+private:
+  const SurfaceGraph& graph_;
+};
+
+/** \brief Straight lines; the midpoint is the vertex nearest to the middle of the line. Every operation is O(n) per
+ * source, sample or pair. */
+class EuclideanMetric : public SurfaceMetric {
+public:
+  /** \param[in] points referred to, not copied */
+  explicit EuclideanMetric(const std::vector<Vector3>& points) : points_(points)
+  {
+  }
+
+  DistanceFields
+  fields(const std::vector<Index>& sources, unsigned threads) const override;
+
+  std::vector<Index>
+  farthestPoints(Index start, std::size_t count) const override;
+
+  std::vector<Index>
+  midpoints(const std::vector<std::pair<Index, Index>>& pairs, unsigned threads) const override;
+
+private:
+  Index
+  nearestVertex(const Vector3& position) const;
+
+  const std::vector<Vector3>& points_;
+};
+
+} // namespace symmetry
+} // namespace pcl
