@@ -5,6 +5,7 @@
 #                        [PKG_CONFIG_REQUIRES ...])
 #   pcl_symmetry_program(<name> SOURCES ... [LINK ...])
 #   pcl_symmetry_test(<name> SOURCES ... [LINK ...] [TOGETHER] [TIMEOUT <seconds>])
+#   pcl_symmetry_program_test(<name> PROGRAM <program> SOURCES ... [LINK ...] [TOGETHER] [TIMEOUT <seconds>])
 #
 # Each is described above its definition. Dependencies to link (all found by the root, see PclSymmetryDependencies.cmake):
 # Threads::Threads, Eigen3::Eigen, pcl_symmetry::pcl_core (common, search, kdtree, FLANN), pcl_symmetry::pcl_io,
@@ -131,4 +132,16 @@ function(pcl_symmetry_test name)
     gtest_discover_tests(${name} TEST_PREFIX ${folder}/ DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
                          PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${folder})
   endif()
+endfunction()
+
+# pcl_symmetry_program_test(<name> PROGRAM <program> SOURCES ... [LINK ...] [TOGETHER] [TIMEOUT <seconds>])
+#
+# A test as above that runs one of the project's programs through apps/run_program.h. It knows the project's version as
+# PCL_SYMMETRY_VERSION.
+function(pcl_symmetry_program_test name)
+  cmake_parse_arguments(ARG "" "PROGRAM" "" ${ARGN})
+  pcl_symmetry_test(${name} ${ARG_UNPARSED_ARGUMENTS})
+  target_link_libraries(${name} PRIVATE run_program)
+  target_compile_definitions(${name} PRIVATE PCL_SYMMETRY_VERSION="${PROJECT_VERSION}")
+  add_dependencies(${name} ${ARG_PROGRAM})
 endfunction()

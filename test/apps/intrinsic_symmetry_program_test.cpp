@@ -1,7 +1,7 @@
 // What pcl_intrinsic_symmetry promises its users: exit status, files, messages.
+#include "apps/run_program.h"
 #include "model/articulated_body.h"
 #include "model/write_model.h"
-#include "run_program.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

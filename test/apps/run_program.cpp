@@ -1,4 +1,4 @@
-#include "run_program.h"
+#include "apps/run_program.h"
 
 #include <array>
 #include <cerrno>
