@@ -19,11 +19,22 @@ struct ScreenPoint {
   float depth = 0.0F;
 };
 
+/** \brief Corner of a triangle. */
+struct ShadedCorner {
+  ScreenPoint place;
+  Color color = {0, 0, 0};
+  float brightness = 1.0F; ///< factor of the colour, in [0, 1]
+};
+
 /** \brief How much of its colour a blended shape gives to a pixel, in [0, 1]. */
 struct Opacity {
   float in_front = 1.0F; ///< of what is already there
   float behind = 0.0F;   ///< hidden by it
 };
+
+/** \brief A colour made darker by a factor in [0, 1]. */
+Color
+shade(const Color& color, float brightness);
 
 /** \brief Pixels, row by row from the top, red green blue. */
 struct Image {
@@ -37,10 +48,10 @@ class Rasterizer {
 public:
   Rasterizer(int width, int height);
 
-  /** \brief Fills a triangle; each pixel takes the colour of the corner that is nearest in barycentric terms, which
-   * keeps borders between labels sharp. */
+  /** \brief Fills a triangle. Brightness runs smoothly from corner to corner, while each pixel takes the colour of the
+   * corner that is nearest in barycentric terms, which keeps the borders between labels sharp. */
   void
-  fillTriangle(const std::array<ScreenPoint, 3>& corners, const std::array<Color, 3>& colors);
+  fillTriangle(const std::array<ShadedCorner, 3>& corners);
 
   /** \brief Fills a disc that faces the viewer. */
   void

@@ -40,6 +40,8 @@ protected:
   std::string
   writeFile(const std::string& name, const std::string& content) const
   {
+    // Some file systems wait for the disk when a file is emptied and written anew.
+    std::filesystem::remove(path(name));
     std::ofstream(path(name), std::ios::binary) << content;
     return path(name);
   }

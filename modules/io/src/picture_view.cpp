@@ -12,8 +12,8 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr int coverage_size = 40;              ///< cells across the coarse pictures that views are compared by
-constexpr std::size_t coverage_points = 20000; ///< points drawn into them
+constexpr int coverage_size = 40;             ///< cells across the coarse pictures that views are compared by
+constexpr std::size_t coverage_points = 6000; ///< points drawn into them
 constexpr int directions_tried = 200;
 
 Vector3

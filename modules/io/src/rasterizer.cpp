@@ -36,6 +36,16 @@ mix(std::uint8_t below, std::uint8_t above, float opacity)
 
 } // namespace
 
+Color
+shade(const Color& color, float brightness)
+{
+  const float factor = std::clamp(brightness, 0.0F, 1.0F);
+  Color shaded = color;
+  for (std::uint8_t& channel : shaded)
+    channel = static_cast<std::uint8_t>(static_cast<float>(channel) * factor + 0.5F);
+  return shaded;
+}
+
 Rasterizer::Rasterizer(int width, int height)
     : width_(width),
       height_(height),
@@ -64,9 +74,11 @@ Rasterizer::blend(int x, int y, float depth, const Color& color, const Opacity& 
 }
 
 void
-Rasterizer::fillTriangle(const std::array<ScreenPoint, 3>& corners, const std::array<Color, 3>& colors)
+Rasterizer::fillTriangle(const std::array<ShadedCorner, 3>& corners)
 {
-  const auto& [a, b, c] = corners;
+  const ScreenPoint& a = corners[0].place;
+  const ScreenPoint& b = corners[1].place;
+  const ScreenPoint& c = corners[2].place;
   const float area = edgeFunction(a, b, c.x, c.y);
   if (area == 0.0F)
     return;
@@ -81,9 +93,14 @@ Rasterizer::fillTriangle(const std::array<ScreenPoint, 3>& corners, const std::a
                                             edgeFunction(a, b, centre_x, centre_y) / area};
       if (weights[0] < 0.0F || weights[1] < 0.0F || weights[2] < 0.0F)
         continue;
+      float depth = 0.0F;
+      float brightness = 0.0F;
+      for (std::size_t i = 0; i < 3; ++i) {
+        depth += weights[i] * corners[i].place.depth;
+        brightness += weights[i] * corners[i].brightness;
+      }
       const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-      setIfNearer(x, y, weights[0] * a.depth + weights[1] * b.depth + weights[2] * c.depth,
-                  colors[static_cast<std::size_t>(nearest)]);
+      setIfNearer(x, y, depth, shade(corners[static_cast<std::size_t>(nearest)].color, brightness));
     }
   }
 }

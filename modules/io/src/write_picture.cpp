@@ -138,30 +138,19 @@ chooseLines(const Surface& surface, const SymmetryResult& result, std::vector<Pa
   return lines;
 }
 
-Color
-shade(const Color& color, float brightness)
-{
-  Color shaded = color;
-  for (std::uint8_t& channel : shaded)
-    channel = static_cast<std::uint8_t>(std::lround(static_cast<float>(channel) * brightness));
-  return shaded;
-}
-
 void
 drawMesh(const Drawing& drawing, const Projection& projection, Rasterizer& canvas)
 {
-  for (const Triangle& triangle : drawing.surface.triangles) {
-    std::array<ScreenPoint, 3> corners;
-    std::array<Color, 3> colors;
-    bool is_finite = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto point = static_cast<std::size_t>(triangle[i]);
-      is_finite = is_finite && isFinite(drawing.surface.points[point]);
-      corners[i] = projection.project(drawing.surface.points[point]);
-      colors[i] = shade(drawing.colors[point], projection.brightness(drawing.normals[point]));
-    }
-    if (is_finite)
-      canvas.fillTriangle(corners, colors);
+  const Surface& surface = drawing.surface;
+  std::vector<ShadedCorner> corners(surface.size());
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    corners[i] = {projection.project(surface.points[i]), drawing.colors[i], projection.brightness(drawing.normals[i])};
+  for (const Triangle& triangle : surface.triangles) {
+    const auto point = [&](std::size_t corner) {
+      return static_cast<std::size_t>(triangle[corner]);
+    };
+    if (isFinite(surface.points[point(0)]) && isFinite(surface.points[point(1)]) && isFinite(surface.points[point(2)]))
+      canvas.fillTriangle({corners[point(0)], corners[point(1)], corners[point(2)]});
   }
 }
 
