@@ -170,6 +170,29 @@ halfSphere()
   return directions;
 }
 
+float
+extentAlong(const Scene& scene, const Vector3& direction)
+{
+  float least = std::numeric_limits<float>::infinity();
+  float most = -least;
+  for (const Vector3& point : scene.points) {
+    const float place = dot(point - scene.centre, direction);
+    least = std::min(least, place);
+    most = std::max(most, place);
+  }
+  return most - least;
+}
+
+/** \brief Turns the view sideways, for what is deeper than wide: an animal seen from straight above or below shows both
+ * of its sides, but hardly its shape. */
+void
+turn(PictureView& view)
+{
+  constexpr float angle = 0.5F;
+  view.toward = std::cos(angle) * view.toward + std::sin(angle) * view.right;
+  view.right = cross(view.up, view.toward);
+}
+
 /** \brief Makes the view show all points, with a margin. */
 void
 fitView(const std::vector<Vector3>& points, PictureView& view)
@@ -245,6 +268,8 @@ chooseView(const Surface& surface, const SymmetryResult& result, const std::vect
       best = view;
     }
   }
+  if (has_pairs && extentAlong(scene, best.toward) > extentAlong(scene, best.right))
+    turn(best);
   fitView(surface.points, best);
   return best;
 }
