@@ -272,6 +272,9 @@ scoreExistingMap(const Options& options)
 int
 runDataSets(const Options& options)
 {
+  for (const std::string& file : {options.csv, options.json, options.plot})
+    if (!file.empty())
+      checkWritable(file);
   const std::vector<BenchmarkModel> models = selectModels(options);
   if (!options.map_folder.empty())
     std::filesystem::create_directories(options.map_folder);

@@ -47,7 +47,8 @@ struct ErrorCurve {
   std::vector<double> shares;     ///< in [0, 1], one per threshold
 };
 
-/** \brief One curve per set, from 0 to \a largest in \a steps equal steps; every model has the same weight. */
+/** \brief One curve per set, from 0 to \a largest in \a steps equal steps: the mean of its classes' curves, so that it
+ * agrees with the set's summary. */
 std::vector<ErrorCurve>
 errorCurves(const std::vector<ModelRun>& runs, double largest = 0.25, int steps = 50);
 

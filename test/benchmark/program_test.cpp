@@ -140,6 +140,9 @@ TEST_F(BenchmarkProgramTest, FilesThatCannotBeReadOrWrittenEndWithOne)
   EXPECT_EQ(missing.errors, "pcl_symmetry_benchmark: " + path("missing") + ": is no folder\n");
   EXPECT_EQ(runBenchmark(scoreArguments(path("missing.csv"))).exit_status, 1);
   EXPECT_EQ(runBenchmark(scoreArguments(write("bad.csv", "0,25\n"))).exit_status, 1);
+  const ProgramRun early = runBenchmark({path(""), "--csv", path("no/folder.csv")});
+  EXPECT_EQ(early.exit_status, 1);
+  EXPECT_EQ(early.output, "") << "it is found out before anything is run";
   Arguments arguments = scoreArguments(write("map.csv", "0,4\n"));
   arguments.insert(arguments.end(), {"--json", path("no/folder.json")});
   EXPECT_EQ(runBenchmark(arguments).exit_status, 1);

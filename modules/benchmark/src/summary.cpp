@@ -41,22 +41,32 @@ summariseRun(const ModelRun& run)
 GroupSummary
 average(const std::vector<GroupSummary>& members)
 {
-  GroupSummary mean;
-  mean.set = members.front().set;
+  GroupSummary result;
+  result.set = members.front().set;
   const double weight = 1.0 / static_cast<double>(members.size());
   for (const GroupSummary& member : members) {
-    mean.models += member.models;
-    mean.failed += member.failed;
-    mean.symmetric += member.symmetric;
-    mean.correspondence_rate += weight * member.correspondence_rate;
-    mean.mesh_rate += weight * member.mesh_rate;
-    mean.mean_geodesic_error += weight * member.mean_geodesic_error;
-    for (std::size_t i = 0; i < mean.below.size(); ++i)
-      mean.below[i] += weight * member.below[i];
-    mean.mean_confidence += weight * member.mean_confidence;
-    mean.mean_seconds += weight * member.mean_seconds;
+    result.models += member.models;
+    result.failed += member.failed;
+    result.symmetric += member.symmetric;
+    result.correspondence_rate += weight * member.correspondence_rate;
+    result.mesh_rate += weight * member.mesh_rate;
+    result.mean_geodesic_error += weight * member.mean_geodesic_error;
+    for (std::size_t i = 0; i < result.below.size(); ++i)
+      result.below[i] += weight * member.below[i];
+    result.mean_confidence += weight * member.mean_confidence;
+    result.mean_seconds += weight * member.mean_seconds;
   }
-  return mean;
+  return result;
+}
+
+template <typename Member, typename Value>
+double
+mean(const std::vector<Member>& members, Value value)
+{
+  double sum = 0.0;
+  for (const Member& member : members)
+    sum += value(member);
+  return sum / static_cast<double>(members.size());
 }
 
 /** Members that share a key, groups in the order in which their keys first occur. */
@@ -110,16 +120,16 @@ errorCurves(const std::vector<ModelRun>& runs, double largest, int steps)
     if (isScored(run))
       scored.push_back(&run);
   std::vector<ErrorCurve> curves;
-  for (const auto& group : groupBy(scored, [](const ModelRun* run) { return run->model.set; })) {
+  for (const auto& set : groupBy(scored, [](const ModelRun* run) { return run->model.set; })) {
+    const auto classes = groupBy(set, [](const ModelRun* run) { return run->model.class_name; });
     ErrorCurve curve;
-    curve.name = group.front()->model.set;
+    curve.name = set.front()->model.set;
     for (int step = 0; step <= steps; ++step) {
       const double threshold = largest * step / steps;
-      double sum = 0.0;
-      for (const ModelRun* run : group)
-        sum += shareBelow(*run, threshold);
       curve.thresholds.push_back(threshold);
-      curve.shares.push_back(sum / static_cast<double>(group.size()));
+      curve.shares.push_back(mean(classes, [&](const auto& models) {
+        return mean(models, [&](const ModelRun* run) { return shareBelow(*run, threshold); });
+      }));
     }
     curves.push_back(std::move(curve));
   }
