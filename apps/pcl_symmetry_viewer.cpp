@@ -22,6 +22,8 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <memory>
+#include <sstream>
 #include <stdexcept>
 
 namespace po = boost::program_options;
@@ -88,11 +90,14 @@ integerField(const pcl::PCLPointCloud2& cloud,
   if (field == cloud.fields.end())
     throw std::runtime_error(path + ": has no field '" + name + "', so it was not written by pcl_intrinsic_symmetry");
   std::vector<std::int64_t> values;
-  for (std::size_t i = 0; i < cloud.width * cloud.height; ++i) {
+  const std::size_t points = std::size_t{cloud.width} * cloud.height;
+  for (std::size_t i = 0; i < points; ++i) {
     values.push_back(loadInteger(*field, cloud.data.data() + i * cloud.point_step + field->offset, path));
-    if (values.back() < least || values.back() >= end)
-      throw std::runtime_error(path + ": " + name + " " + std::to_string(values.back()) + " of point " +
-                               std::to_string(i) + " is out of range");
+    if (values.back() >= least && values.back() < end)
+      continue;
+    std::ostringstream message;
+    message << path << ": " << name << ' ' << values.back() << " of point " << i << " is out of range";
+    throw std::runtime_error(message.str());
   }
   return values;
 }
@@ -111,7 +116,7 @@ readFile(const std::string& path)
     status = pcl::PCDReader().read(path, mesh.cloud);
   else
     throw std::runtime_error(path + ": is neither .ply nor .pcd");
-  if (status < 0 || mesh.cloud.width * mesh.cloud.height == 0)
+  if (status < 0 || mesh.cloud.data.empty())
     throw std::runtime_error(path + ": cannot be read, or holds no points");
   return mesh;
 }
@@ -207,8 +212,7 @@ private:
   {
     window_->SetOffScreenRendering(on_screen ? 0 : 1);
     const auto renderer = vtkSmartPointer<vtkRenderer>::New();
-    return pcl::visualization::PCLVisualizer::Ptr(
-        new pcl::visualization::PCLVisualizer(renderer, window_, "pcl_symmetry_viewer", on_screen));
+    return std::make_shared<pcl::visualization::PCLVisualizer>(renderer, window_, "pcl_symmetry_viewer", on_screen);
   }
 
   /** Looks along the thinnest direction, y or z upwards. */
