@@ -49,6 +49,15 @@ distanceFields(const SurfaceGraph& graph, const std::vector<Index>& sources, uns
 std::vector<Index>
 shortestPath(const SurfaceGraph& graph, Index source, Index target);
 
+/** \brief Vertices of a shortest path to \a target, from the source of a field that is already known.
+ *
+ * Where several paths are equally short that of the lowest vertices, seen from the target, is taken.
+ * \param[in] field distances from the source, as distanceField () returns them
+ * \return first the source or a vertex at distance zero from it; empty where the target cannot be reached
+ */
+std::vector<Index>
+shortestPath(const SurfaceGraph& graph, const float* field, Index target);
+
 /** \brief The vertex of a path whose distance along it from the first vertex is closest to half of the whole. */
 Index
 pathMidpoint(const SurfaceGraph& graph, const std::vector<Index>& path);

@@ -6,7 +6,6 @@
 #include "geodesic/shortest_paths.h"
 #include "geodesic/surface_graph.h"
 
-#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -26,9 +25,14 @@ public:
   virtual std::vector<Index>
   farthestPoints(Index start, std::size_t count) const = 0;
 
-  /** \brief The vertex half way between the two of each pair. */
+  /** \brief The vertex half way between the source of each field and a target.
+   * \param[in] fields as fields () returns them for \a sources
+   * \param[in] targets one per source */
   virtual std::vector<Index>
-  midpoints(const std::vector<std::pair<Index, Index>>& pairs, unsigned threads) const = 0;
+  midpoints(const std::vector<Index>& sources,
+            const DistanceFields& fields,
+            const std::vector<Index>& targets,
+            unsigned threads) const = 0;
 };
 
 /** \brief Shortest paths along a connected graph; the midpoint is that of such a path. */
@@ -46,7 +50,10 @@ public:
   farthestPoints(Index start, std::size_t count) const override;
 
   std::vector<Index>
-  midpoints(const std::vector<std::pair<Index, Index>>& pairs, unsigned threads) const override;
+  midpoints(const std::vector<Index>& sources,
+            const DistanceFields& fields,
+            const std::vector<Index>& targets,
+            unsigned threads) const override;
 
 private:
   const SurfaceGraph& graph_;
@@ -68,7 +75,10 @@ public:
   farthestPoints(Index start, std::size_t count) const override;
 
   std::vector<Index>
-  midpoints(const std::vector<std::pair<Index, Index>>& pairs, unsigned threads) const override;
+  midpoints(const std::vector<Index>& sources,
+            const DistanceFields& fields,
+            const std::vector<Index>& targets,
+            unsigned threads) const override;
 
 private:
   Index

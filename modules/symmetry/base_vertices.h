@@ -31,9 +31,10 @@ public:
   {
   }
 
-  /** \brief Adds both ends of each pair and its midpoint. */
+  /** \brief Adds both ends of each pair and its midpoint.
+   * \param[in,out] pairs their midpoints are found and set */
   void
-  addPairs(const std::vector<SymmetricMatch>& pairs);
+  addPairs(std::vector<SymmetricMatch>& pairs);
 
   /** \brief Adds a midpoint without a pair of its own. */
   void
@@ -76,9 +77,6 @@ public:
 private:
   std::vector<const float*>
   rows(Side side, FeatureSet set) const;
-
-  void
-  append(DistanceFields& fields, const std::vector<Index>& sources) const;
 
   const SurfaceMetric& metric_;
   unsigned threads_;

@@ -30,10 +30,6 @@ matchVertices(const BaseVertices& base, const Matchable& vertices, Side side, Fe
 std::vector<SymmetricMatch>
 cheapest(std::vector<SymmetricMatch> matches, std::size_t count);
 
-/** \brief Sets the midpoint of every match. */
-void
-findMidpoints(std::vector<SymmetricMatch>& matches, const SurfaceMetric& metric, unsigned threads);
-
 /** \brief The vertices of a list that lie in a region. */
 std::vector<Index>
 within(const std::vector<Index>& vertices, const std::vector<Region>& regions, Region region);

@@ -230,7 +230,21 @@ TEST(ShortestPath, RunsAlongEdgesAndIsAsLongAsTheDistance)
     EXPECT_EQ(path.front(), 11);
     EXPECT_EQ(path.back(), target);
     EXPECT_NEAR(pathLength(graph, path), field[target], 1e-5F);
+    const std::vector<Index> from_field = shortestPath(graph, field.data(), target);
+    EXPECT_EQ(from_field.front(), 11);
+    EXPECT_EQ(from_field.back(), target);
+    EXPECT_NEAR(pathLength(graph, from_field), field[target], 1e-5F);
   }
+}
+
+TEST(ShortestPath, FindsItsWayFromAFieldOverEdgesOfLengthZero)
+{
+  const SurfaceGraph graph = buildGraph(5, {{0, 1, 0.0F}, {1, 2, 1.0F}, {2, 3, 0.0F}, {3, 4, 1.0F}});
+  EXPECT_EQ(shortestPath(graph, distanceField(graph, 0).data(), 3).back(), 3);
+  EXPECT_EQ(shortestPath(graph, distanceField(graph, 0).data(), 3).front(), 0);
+  EXPECT_EQ(pathLength(graph, shortestPath(graph, distanceField(graph, 0).data(), 4)), 2.0F);
+  const SurfaceGraph apart = buildGraph(2, {});
+  EXPECT_TRUE(shortestPath(apart, distanceField(apart, 0).data(), 1).empty());
 }
 
 TEST(PathMidpoint, IsTheVertexClosestToHalfTheLength)

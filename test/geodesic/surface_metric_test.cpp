@@ -13,7 +13,8 @@ TEST(GeodesicMetric, MeasuresAlongTheSurface)
   const SurfaceGraph graph = meshGraph(sphere);
   const GeodesicMetric metric(graph);
   EXPECT_EQ(metric.fields({4, 9}, 2).values, distanceFields(graph, {4, 9}, 1).values);
-  const Index middle = metric.midpoints({{4, 0}}, 1).front(); // from (0, 0, 1) to (1, 0, 0), along the great circle
+  const Index middle = metric.midpoints({4}, metric.fields({4}, 1), {0}, 1)
+                           .front(); // from (0, 0, 1) to (1, 0, 0), along the great circle
   EXPECT_NEAR(sphere.points[middle][0], std::sqrt(0.5F), 0.05F);
   EXPECT_NEAR(sphere.points[middle][2], std::sqrt(0.5F), 0.05F);
 }
@@ -34,7 +35,7 @@ TEST(EuclideanMetric, MeasuresStraightThroughSpace)
 TEST(EuclideanMetric, MidpointIsTheVertexNearestToTheMiddle)
 {
   const std::vector<Vector3> points = {{0, 0, 0}, {4, 0, 0}, {2, 1, 0}, {2, 0, 0.5F}};
-  EXPECT_EQ(EuclideanMetric(points).midpoints({{0, 1}, {0, 0}}, 2), (std::vector<Index>{3, 0}));
+  EXPECT_EQ(EuclideanMetric(points).midpoints({0, 0}, {}, {1, 0}, 2), (std::vector<Index>{3, 0}));
 }
 
 TEST(EuclideanMetric, SamplesFarthestPointsAsDefined)
@@ -67,12 +68,14 @@ TEST(SurfaceMetric, DoesNotDependOnTheNumberOfThreads)
 {
   const Surface sphere = sphereMesh(3);
   const SurfaceGraph graph = meshGraph(sphere);
-  const std::vector<std::pair<Index, Index>> pairs = {{0, 1}, {2, 9}, {33, 70}, {5, 5}, {100, 4}};
+  const std::vector<Index> sources = {0, 2, 33, 5, 100};
+  const std::vector<Index> targets = {1, 9, 70, 5, 4};
   const GeodesicMetric geodesic(graph);
   const EuclideanMetric euclidean(sphere.points);
   for (const SurfaceMetric* metric :
        {static_cast<const SurfaceMetric*>(&geodesic), static_cast<const SurfaceMetric*>(&euclidean)}) {
-    EXPECT_EQ(metric->midpoints(pairs, 1), metric->midpoints(pairs, 4));
-    EXPECT_EQ(metric->fields({1, 2, 3}, 1).values, metric->fields({1, 2, 3}, 4).values);
+    const DistanceFields fields = metric->fields(sources, 1);
+    EXPECT_EQ(metric->fields(sources, 4).values, fields.values);
+    EXPECT_EQ(metric->midpoints(sources, fields, targets, 1), metric->midpoints(sources, fields, targets, 4));
   }
 }

@@ -3,6 +3,7 @@
 #include "geodesic/bucket_queue.h"
 #include "geodesic/parallel.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl {
@@ -11,6 +12,19 @@ namespace {
 
 const auto ignore_improvement = [](Index, Index) {
 };
+
+/** The lowest neighbour through which a shortest path comes to v and which is nearer to the source than v itself. */
+Index
+predecessor(const SurfaceGraph& graph, const float* field, Index v)
+{
+  for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
+    const Index w = graph.neighbours[e];
+    if (field[w] < field[v] && field[w] + graph.lengths[e] == field[v]) {
+      return w;
+    }
+  }
+  return no_index;
+}
 
 } // namespace
 
@@ -64,6 +78,28 @@ shortestPath(const SurfaceGraph& graph, Index source, Index target)
   for (Index v = source; v != no_index; v = previous[v]) {
     path.push_back(v);
   }
+  return path;
+}
+
+std::vector<Index>
+shortestPath(const SurfaceGraph& graph, const float* field, Index target)
+{
+  std::vector<Index> path;
+  if (!(field[target] < unreachable)) {
+    return path;
+  }
+  Index v = target;
+  while (v != no_index && field[v] > 0.0F) {
+    path.push_back(v);
+    v = predecessor(graph, field, v);
+  }
+  if (v == no_index) {
+    // Edges too short to make a difference to the distance: the field does not tell where the path came from.
+    const auto source = std::find(field, field + graph.size(), 0.0F);
+    return shortestPath(graph, static_cast<Index>(source - field), target);
+  }
+  path.push_back(v);
+  std::reverse(path.begin(), path.end());
   return path;
 }
 

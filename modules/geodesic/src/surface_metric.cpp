@@ -22,11 +22,14 @@ GeodesicMetric::farthestPoints(Index start, std::size_t count) const
 }
 
 std::vector<Index>
-GeodesicMetric::midpoints(const std::vector<std::pair<Index, Index>>& pairs, unsigned threads) const
+GeodesicMetric::midpoints(const std::vector<Index>& sources,
+                          const DistanceFields& fields,
+                          const std::vector<Index>& targets,
+                          unsigned threads) const
 {
-  std::vector<Index> middles(pairs.size(), no_index);
-  parallelFor(pairs.size(), threads, [&](std::size_t i) {
-    middles[i] = pathMidpoint(graph_, shortestPath(graph_, pairs[i].first, pairs[i].second));
+  std::vector<Index> middles(sources.size(), no_index);
+  parallelFor(sources.size(), threads, [&](std::size_t i) {
+    middles[i] = pathMidpoint(graph_, shortestPath(graph_, fields.row(i), targets[i]));
   });
   return middles;
 }
@@ -73,12 +76,14 @@ EuclideanMetric::nearestVertex(const Vector3& position) const
 }
 
 std::vector<Index>
-EuclideanMetric::midpoints(const std::vector<std::pair<Index, Index>>& pairs, unsigned threads) const
+EuclideanMetric::midpoints(const std::vector<Index>& sources,
+                           const DistanceFields& /*fields*/,
+                           const std::vector<Index>& targets,
+                           unsigned threads) const
 {
-  std::vector<Index> middles(pairs.size(), no_index);
-  parallelFor(pairs.size(), threads, [&](std::size_t i) {
-    middles[i] = nearestVertex(0.5F * (points_[pairs[i].first] + points_[pairs[i].second]));
-  });
+  std::vector<Index> middles(sources.size(), no_index);
+  parallelFor(sources.size(), threads,
+              [&](std::size_t i) { middles[i] = nearestVertex(0.5F * (points_[sources[i]] + points_[targets[i]])); });
   return middles;
 }
 

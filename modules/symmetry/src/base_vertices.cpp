@@ -6,35 +6,40 @@
 
 namespace pcl {
 namespace symmetry {
+namespace {
 
 void
-BaseVertices::append(DistanceFields& fields, const std::vector<Index>& sources) const
+append(DistanceFields& fields, const DistanceFields& more)
 {
-  const DistanceFields added = metric_.fields(sources, threads_);
-  fields.columns = added.columns;
-  fields.values.insert(fields.values.end(), added.values.begin(), added.values.end());
+  fields.columns = more.columns;
+  fields.values.insert(fields.values.end(), more.values.begin(), more.values.end());
 }
 
+} // namespace
+
 void
-BaseVertices::addPairs(const std::vector<SymmetricMatch>& pairs)
+BaseVertices::addPairs(std::vector<SymmetricMatch>& pairs)
 {
   std::vector<Index> sources;
   std::vector<Index> targets;
-  std::vector<Index> midpoints;
   for (const SymmetricMatch& pair : pairs) {
     sources.push_back(pair.source);
     targets.push_back(pair.target);
-    midpoints.push_back(pair.midpoint);
   }
-  append(source_fields_, sources);
-  append(target_fields_, targets);
-  append(midpoint_fields_, midpoints);
+  const DistanceFields source_fields = metric_.fields(sources, threads_);
+  const std::vector<Index> midpoints = metric_.midpoints(sources, source_fields, targets, threads_);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pairs[i].midpoint = midpoints[i];
+  }
+  append(source_fields_, source_fields);
+  append(target_fields_, metric_.fields(targets, threads_));
+  append(midpoint_fields_, metric_.fields(midpoints, threads_));
 }
 
 void
 BaseVertices::addMidpoint(Index midpoint)
 {
-  append(midpoint_fields_, {midpoint});
+  append(midpoint_fields_, metric_.fields({midpoint}, threads_));
 }
 
 std::vector<const float*>

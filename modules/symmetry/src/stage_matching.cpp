@@ -63,20 +63,6 @@ cheapest(std::vector<SymmetricMatch> matches, std::size_t count)
   return matches;
 }
 
-void
-findMidpoints(std::vector<SymmetricMatch>& matches, const SurfaceMetric& metric, unsigned threads)
-{
-  std::vector<std::pair<Index, Index>> ends;
-  ends.reserve(matches.size());
-  for (const SymmetricMatch& match : matches) {
-    ends.emplace_back(match.source, match.target);
-  }
-  const std::vector<Index> midpoints = metric.midpoints(ends, threads);
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    matches[i].midpoint = midpoints[i];
-  }
-}
-
 std::vector<Index>
 within(const std::vector<Index>& vertices, const std::vector<Region>& regions, Region region)
 {

@@ -69,21 +69,13 @@ largestDistance(const DistanceFields& fields, const std::vector<Index>& landmark
   return largest;
 }
 
-/** The extreme pairs as matches: h first, then f. */
-std::vector<SymmetricMatch>
-extremeMatches(const ExtremePairs& pairs, const SurfaceMetric& metric, unsigned threads)
-{
-  std::vector<SymmetricMatch> matches = {{pairs.h1, pairs.h2, no_index, 0.0F}, {pairs.f1, pairs.f2, no_index, 0.0F}};
-  findMidpoints(matches, metric, threads);
-  return matches;
-}
-
 /** m_hf: the midpoint of the path between the midpoints of h1-f1 and h2-f2. */
 Index
 middleOfSides(const ExtremePairs& pairs, const SurfaceMetric& metric, unsigned threads)
 {
-  const std::vector<Index> of_side = metric.midpoints({{pairs.h1, pairs.f1}, {pairs.h2, pairs.f2}}, threads);
-  return metric.midpoints({{of_side[0], of_side[1]}}, threads).front();
+  const std::vector<Index> h = {pairs.h1, pairs.h2};
+  const std::vector<Index> of_side = metric.midpoints(h, metric.fields(h, threads), {pairs.f1, pairs.f2}, threads);
+  return metric.midpoints({of_side[0]}, metric.fields({of_side[0]}, threads), {of_side[1]}, threads).front();
 }
 
 /** Evenly spaced samples of the source limbs and the centre. */
@@ -114,7 +106,6 @@ withoutSameSide(std::vector<SymmetricMatch> matches, const std::vector<float>& s
  */
 std::vector<SymmetricMatch>
 matchInStages(BaseVertices& base,
-              const SurfaceMetric& metric,
               const TipFunctions& tips,
               const std::vector<Region>& regions,
               const std::vector<Index>& samples,
@@ -122,22 +113,18 @@ matchInStages(BaseVertices& base,
 {
   for (const std::vector<Index>* stage_tips : {&tips.average_maxima, &tips.minimal_maxima}) { // stages 1 and 2
     std::vector<SymmetricMatch> matches = matchTips(base, regions, *stage_tips, kept_tips, threads);
-    findMidpoints(matches, metric, threads);
     base.addPairs(matches);
   }
 
   std::vector<float> sides = sideFunction(base.sourceFields(), base.targetFields());
   std::vector<SymmetricMatch> third =
       matchSamples(base, regions, sides, samples, FeatureSet::Midpoints, kept_in_stage_3, threads);
-  findMidpoints(third, metric, threads);
   base.addPairs(third);
 
   sides = sideFunction(base.sourceFields(), base.targetFields());
-  std::vector<SymmetricMatch> fourth = withoutSameSide(
+  return withoutSameSide(
       matchSamples(base, regions, sides, samples, FeatureSet::OwnEndpointsAndMidpoints, kept_in_stage_4, threads),
       sides);
-  findMidpoints(fourth, metric, threads);
-  return fourth;
 }
 
 } // namespace
@@ -180,7 +167,7 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
   estimate.extremities = {pairs.h1, pairs.h2, pairs.f1, pairs.f2};
 
   BaseVertices base(*metric, threads);
-  const std::vector<SymmetricMatch> limbs = extremeMatches(pairs, *metric, threads);
+  std::vector<SymmetricMatch> limbs = {{pairs.h1, pairs.h2, no_index, 0.0F}, {pairs.f1, pairs.f2, no_index, 0.0F}};
   base.addPairs(limbs);
   estimate.regions =
       limbRegions(base.sourceFields(), base.targetFields(), limbs[0].midpoint, limbs[1].midpoint); // section 3.2
@@ -189,7 +176,7 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
   base.addMidpoint(middleOfSides(pairs, *metric, threads));
   const std::size_t count = parameters.samples == 0 ? default_samples : static_cast<std::size_t>(parameters.samples);
   const std::vector<Index> samples = sampleSourceAndCentre(*metric, start, count, estimate.regions);
-  estimate.matches = matchInStages(base, *metric, tips, estimate.regions, samples, threads);
+  estimate.matches = matchInStages(base, tips, estimate.regions, samples, threads);
   if (estimate.matches.empty()) {
     estimate.message = "no vertices of one side could be matched with the other side";
     return estimate;
