@@ -131,6 +131,15 @@ TEST_F(Picture, StandsUnusablePoints)
   EXPECT_GT(draw(surface, roofSymmetry()).white, 0U);
   surface.points.assign(6, Vector3{1.0F, 1.0F, 1.0F});
   EXPECT_GT(draw(surface, roofSymmetry()).white, 0U);
+  for (const float scale : {1e-30F, 3e38F}) {
+    surface = roof();
+    for (Vector3& point : surface.points)
+      for (float& coordinate : point)
+        coordinate *= scale / 3.0F;
+    EXPECT_GT(draw(surface, roofSymmetry()).white, 0U);
+    surface.triangles.clear();
+    EXPECT_GT(draw(surface, roofSymmetry()).white, 0U);
+  }
   surface.points.assign(6, Vector3{0.0F, std::numeric_limits<float>::quiet_NaN(), 0.0F});
   EXPECT_GT(draw(surface, roofSymmetry()).white, 0U);
 }

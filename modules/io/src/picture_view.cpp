@@ -210,10 +210,10 @@ fitView(const std::vector<Vector3>& points, PictureView& view)
       most[k] = std::max(most[k], place[k]);
     }
   }
-  if (least[0] > most[0])
+  const float extent = std::max(most[0] - least[0], most[1] - least[1]);
+  if (!std::isfinite(extent)) // no point at all, or coordinates at the end of what a float holds
     return;
   view.centre = view.centre + 0.5F * (least[0] + most[0]) * view.right + 0.5F * (least[1] + most[1]) * view.up;
-  const float extent = std::max(most[0] - least[0], most[1] - least[1]);
   const float smallest = extent > 0.0F ? 1e-3F * extent : 1.0F; // a line, or a single place
   view.width = margin * std::max(most[0] - least[0], smallest);
   view.height = margin * std::max(most[1] - least[1], smallest);

@@ -8,16 +8,19 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-/** \brief Pixels whose centres lie in [least, most], cut to [0, size). */
+/** \brief Pixels whose centres lie in [least, most], cut to [0, size); none where a bound is not a number. */
 struct PixelRange {
   PixelRange(float least, float most, int size)
-      : begin(static_cast<int>(std::clamp(std::ceil(least - 0.5F), 0.0F, static_cast<float>(size)))),
-        end(static_cast<int>(std::clamp(std::floor(most - 0.5F) + 1.0F, 0.0F, static_cast<float>(size))))
   {
+    if (!(least <= most))
+      return;
+    const auto limit = static_cast<float>(size);
+    begin = static_cast<int>(std::clamp(std::ceil(least - 0.5F), 0.0F, limit));
+    end = static_cast<int>(std::clamp(std::floor(most - 0.5F) + 1.0F, 0.0F, limit));
   }
 
-  int begin;
-  int end; ///< one behind the last
+  int begin = 0;
+  int end = 0; ///< one behind the last
 };
 
 /** \brief Twice the signed area of the triangle a, b, (x, y). */
@@ -80,7 +83,7 @@ Rasterizer::fillTriangle(const std::array<ShadedCorner, 3>& corners)
   const ScreenPoint& b = corners[1].place;
   const ScreenPoint& c = corners[2].place;
   const float area = edgeFunction(a, b, c.x, c.y);
-  if (area == 0.0F)
+  if (area == 0.0F || !std::isfinite(area))
     return;
   const PixelRange columns(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), width_);
   const PixelRange rows(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), height_);
