@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,11 +21,11 @@ struct Cancelled {};
  */
 class StepTimer {
 public:
-  /** \brief Called with the name of a step as it starts; return false to cancel. */
-  using Callback = bool (*)(const char* step, double fraction, void* context);
+  /** \brief Called with the name of a step as it starts and the share of the work done; return false to cancel. */
+  using Callback = std::function<bool(const char* step, double fraction)>;
 
   StepTimer() = default;
-  StepTimer(Callback callback, void* context) : callback_(callback), context_(context)
+  explicit StepTimer(Callback callback) : callback_(std::move(callback))
   {
   }
 
@@ -36,7 +37,7 @@ public:
   start(const char* name, double fraction)
   {
     stop();
-    if (callback_ != nullptr && !callback_(name, fraction, context_)) {
+    if (callback_ && !callback_(name, fraction)) {
       throw Cancelled{};
     }
     running_ = entry(name);
@@ -74,8 +75,7 @@ private:
     return seconds_.size() - 1;
   }
 
-  Callback callback_ = nullptr;
-  void* context_ = nullptr;
+  Callback callback_;
   std::vector<std::pair<std::string, double>> seconds_;
   std::size_t running_ = none;
   Clock::time_point begin_;

@@ -1,0 +1,183 @@
+/** \file
+ * \brief The PCL class; the header most users include.
+ */
+#pragma once
+
+#include <pcl/symmetry/export.h>
+#include <pcl/symmetry/symmetry.h>
+
+#include <pcl/PolygonMesh.h>
+#include <pcl/correspondence.h>
+#include <pcl/memory.h>
+#include <pcl/pcl_base.h>
+#include <pcl/search/search.h>
+
+#include <vector>
+
+// Eigen built for wider vectors lays out and allocates differently from the Eigen inside the distribution's libpcl:
+// buffers that cross from one to the other crash. Better refused here than found out there.
+#if !defined(PCL_SYMMETRY_ANY_ALIGNMENT) && (EIGEN_DEFAULT_ALIGN_BYTES != 16 || EIGEN_MALLOC_ALREADY_ALIGNED != 1)
+#error                                                                                                                 \
+    "This build's Eigen is not aligned as libpcl's (-march=native, -mavx?). Define PCL_SYMMETRY_ANY_ALIGNMENT if your PCL was built the same way."
+#endif
+
+namespace pcl {
+
+/** \brief Result of IntrinsicSymmetryEstimation::compute (). */
+struct IntrinsicSymmetryResult : public symmetry::SymmetryResult {
+  /** The sparse matches as PCL's type: query is the source, match the target, distance the cost (no unit). */
+  pcl::Correspondences correspondences;
+};
+
+/** \brief Estimates the global intrinsic reflective symmetry of a triangle mesh or of a point cloud without faces.
+ *
+ * The symmetric map sends every point to its mirror partner (left hand to right hand) whatever the pose. On a mesh
+ * distances run along its edges, on a cloud along the edges of a k-nearest-neighbour graph.
+ *
+ * \code
+ * pcl::IntrinsicSymmetryEstimation<pcl::PointXYZ> estimation;
+ * estimation.setInputMesh (mesh);            // or setInputCloud (cloud)
+ * pcl::IntrinsicSymmetryResult result;
+ * estimation.compute (result);
+ * if (result.status == pcl::symmetry::SymmetryStatus::Symmetric)
+ *   std::cout << "the partner of point 0 is " << result.partners[0] << '\n';
+ * \endcode
+ *
+ * Points that are not finite, not among the indices or not in the largest component take no part: their partner is -1,
+ * their side Side::None. Duplicated points are kept. Indices of the result always refer to the input. The same input
+ * and parameters give the same bytes for any number of threads. One object must not be used from two threads at a time.
+ *
+ * The class is instantiated for PointXYZ, PointXYZI, PointXYZL, PointXYZRGB, PointXYZRGBA, PointXYZRGBL, PointNormal,
+ * PointXYZINormal and PointXYZRGBNormal; for other types define PCL_NO_PRECOMPILE before including this header.
+ * \ingroup symmetry
+ */
+template <typename PointT>
+class IntrinsicSymmetryEstimation : public PCLBase<PointT> {
+public:
+  using Ptr = shared_ptr<IntrinsicSymmetryEstimation<PointT>>;
+  using ConstPtr = shared_ptr<const IntrinsicSymmetryEstimation<PointT>>;
+  using typename PCLBase<PointT>::PointCloud;
+  using typename PCLBase<PointT>::PointCloudConstPtr;
+  using SearchPtr = typename search::Search<PointT>::Ptr;
+
+  /** \brief Sets a point cloud without faces; forgets a mesh.
+   * \param[in] cloud may be organised and hold non-finite points, whatever is_dense says */
+  void
+  setInputCloud(const PointCloudConstPtr& cloud) override;
+
+  /** \brief Sets a mesh; its points become the input cloud, polygons become triangle fans.
+   * \param[in] mesh its cloud has float fields x, y, z
+   * \throws pcl::BadArgumentException no mesh, no float x y z, or a polygon refers to a point that is not there */
+  void
+  setInputMesh(const PolygonMesh::ConstPtr& mesh);
+
+  /** \brief Search for the neighbours of a cloud's points; default: a kd-tree (FLANN). compute () sets its input cloud.
+   */
+  void
+  setSearchMethod(const SearchPtr& search)
+  {
+    search_ = search;
+  }
+
+  SearchPtr
+  getSearchMethod() const
+  {
+    return search_;
+  }
+
+  /** \brief Neighbours of a point in the graph of a cloud, [3, 256], default 10.
+   * \throws pcl::BadArgumentException */
+  void
+  setKSearch(int k);
+
+  int
+  getKSearch() const
+  {
+    return parameters_.k_search;
+  }
+
+  /** \brief Worker threads, 0: all cores (default). */
+  void
+  setNumberOfThreads(unsigned threads)
+  {
+    parameters_.threads = threads;
+  }
+
+  unsigned
+  getNumberOfThreads() const
+  {
+    return parameters_.threads;
+  }
+
+  void
+  setMethod(symmetry::Method method)
+  {
+    parameters_.method = method;
+  }
+
+  symmetry::Method
+  getMethod() const
+  {
+    return parameters_.method;
+  }
+
+  /** \brief All other parameters at once.
+   * \throws pcl::BadArgumentException one is out of its range */
+  void
+  setParameters(const symmetry::SymmetryParameters& parameters);
+
+  const symmetry::SymmetryParameters&
+  getParameters() const
+  {
+    return parameters_;
+  }
+
+  /** \brief Called as each step starts; returning false cancels. */
+  void
+  setProgressCallback(const symmetry::ProgressCallback& callback)
+  {
+    progress_ = callback;
+  }
+
+  /** \brief Runs the estimation.
+   * \param[out] result replaced as a whole; its status tells an outcome of the data (no symmetry, too few points,
+   * cancelled) \throws pcl::InitFailedException no input was set \throws pcl::BadArgumentException an index is out of
+   * range or given twice
+   */
+  void
+  compute(IntrinsicSymmetryResult& result);
+
+protected:
+  using PCLBase<PointT>::input_;
+  using PCLBase<PointT>::indices_;
+  using PCLBase<PointT>::fake_indices_;
+
+private:
+  symmetry::Surface
+  inputSurface() const;
+
+  symmetry::SymmetryParameters parameters_;
+  symmetry::ProgressCallback progress_;
+  SearchPtr search_;
+  std::vector<symmetry::Triangle> triangles_;
+};
+
+} // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/symmetry/impl/intrinsic_symmetry.hpp>
+#else
+#include <pcl/point_types.h>
+
+namespace pcl {
+extern template class PCL_SYMMETRY_EXPORTS IntrinsicSymmetryEstimation<PointXYZ>;
+extern template class PCL_SYMMETRY_EXPORTS IntrinsicSymmetryEstimation<PointXYZI>;
+extern template class PCL_SYMMETRY_EXPORTS IntrinsicSymmetryEstimation<PointXYZL>;
+extern template class PCL_SYMMETRY_EXPORTS IntrinsicSymmetryEstimation<PointXYZRGB>;
+extern template class PCL_SYMMETRY_EXPORTS IntrinsicSymmetryEstimation<PointXYZRGBA>;
+extern template class PCL_SYMMETRY_EXPORTS IntrinsicSymmetryEstimation<PointXYZRGBL>;
+extern template class PCL_SYMMETRY_EXPORTS IntrinsicSymmetryEstimation<PointNormal>;
+extern template class PCL_SYMMETRY_EXPORTS IntrinsicSymmetryEstimation<PointXYZINormal>;
+extern template class PCL_SYMMETRY_EXPORTS IntrinsicSymmetryEstimation<PointXYZRGBNormal>;
+} // namespace pcl
+#endif

@@ -1,0 +1,188 @@
+#include "neighbour_search.h"
+#include "symmetry/pipeline.h"
+#include "symmetry/step_timer.h"
+
+#include <pcl/symmetry/impl/surface_estimation.h>
+
+#include <pcl/exceptions.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+void
+checkTriangles(const Surface& surface)
+{
+  const auto count = static_cast<Index>(surface.size());
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    for (const Index v : surface.triangles[i]) {
+      if (v < 0 || v >= count) {
+        PCL_THROW_EXCEPTION(BadArgumentException,
+                            "triangle " << i << " refers to point " << v << ", there are " << count << " points");
+      }
+    }
+  }
+}
+
+void
+checkNormals(const Surface& surface, const SymmetryParameters& parameters)
+{
+  if (!surface.normals.empty() && surface.normals.size() != surface.size()) {
+    PCL_THROW_EXCEPTION(BadArgumentException,
+                        "there are " << surface.normals.size() << " normals for " << surface.size() << " points");
+  }
+  if (parameters.normals == NormalSource::Given && !surface.hasFaces() && surface.normals.empty()) {
+    PCL_THROW_EXCEPTION(BadArgumentException, "given normals are asked for, but the cloud has none");
+  }
+}
+
+/** The selected part of a surface: points in the order of the selection, triangles with all corners among them. */
+Surface
+selectPoints(const Surface& surface, const std::vector<Index>& selection)
+{
+  std::vector<Index> new_number(surface.size(), no_index);
+  Surface selected;
+  for (const Index v : selection) {
+    if (v < 0 || static_cast<std::size_t>(v) >= surface.size()) {
+      PCL_THROW_EXCEPTION(BadArgumentException,
+                          "index " << v << " is out of range, there are " << surface.size() << " points");
+    }
+    if (new_number[v] != no_index) {
+      PCL_THROW_EXCEPTION(BadArgumentException, "index " << v << " is given twice");
+    }
+    new_number[v] = static_cast<Index>(selected.points.size());
+    selected.points.push_back(surface.points[v]);
+    if (!surface.normals.empty()) {
+      selected.normals.push_back(surface.normals[v]);
+    }
+  }
+  for (const Triangle& t : surface.triangles) {
+    const Triangle renumbered{new_number[t[0]], new_number[t[1]], new_number[t[2]]};
+    if (renumbered[0] != no_index && renumbered[1] != no_index && renumbered[2] != no_index) {
+      selected.triangles.push_back(renumbered);
+    }
+  }
+  return selected;
+}
+
+void
+renumber(std::vector<Index>& indices, const std::vector<Index>& selection)
+{
+  for (Index& v : indices) {
+    v = v == no_index ? no_index : selection[v];
+  }
+}
+
+template <typename Value>
+void
+scatter(std::vector<Value>& values, const std::vector<Index>& selection, std::size_t size, Value none)
+{
+  std::vector<Value> scattered(size, none);
+  for (std::size_t i = 0; i < selection.size(); ++i) {
+    scattered[selection[i]] = values[i];
+  }
+  values = std::move(scattered);
+}
+
+/** Makes a result about selected points one about all points. */
+void
+expandSelection(SymmetryResult& result, const Surface& surface, const std::vector<Index>& selection)
+{
+  const std::size_t size = surface.size();
+  renumber(result.partners, selection);
+  scatter(result.partners, selection, size, no_index);
+  scatter(result.confidences, selection, size, 0.0F);
+  scatter(result.sides, selection, size, Side::None);
+  scatter(result.regions, selection, size, Region::None);
+  renumber(result.extremities, selection);
+  for (SymmetricMatch& match : result.matches) {
+    match.source = selection[match.source];
+    match.target = selection[match.target];
+    match.midpoint = match.midpoint == no_index ? no_index : selection[match.midpoint];
+  }
+  for (Polyline& line : result.axis) {
+    renumber(line.points, selection);
+  }
+  for (AlternativeMap& alternative : result.alternatives) {
+    renumber(alternative.partners, selection);
+    scatter(alternative.partners, selection, size, no_index);
+  }
+  result.input.points = size;
+  result.input.faces = surface.triangles.size();
+  result.input.outside_indices = size - selection.size();
+}
+
+/** The caller's search, or PCL's kd-tree. */
+NeighbourSearch
+neighbourSearch(const detail::NeighbourSearchFunction& search, unsigned threads)
+{
+  if (!search) {
+    return [threads](const std::vector<Vector3>& points, int k) {
+      return searchByKdTree(points, k, threads);
+    };
+  }
+  return [&search](const std::vector<Vector3>& points, int k) {
+    const int possible = static_cast<int>(std::min(static_cast<std::size_t>(k), points.size()));
+    return NeighbourLists{static_cast<std::size_t>(possible), search(points, possible)};
+  };
+}
+
+} // namespace
+
+SymmetryResult
+detail::estimateSelected(const Surface& surface,
+                         const std::vector<Index>* selection,
+                         const SymmetryParameters& parameters,
+                         const NeighbourSearchFunction& search,
+                         const ProgressCallback& progress)
+{
+  checkParameters(parameters);
+  checkTriangles(surface);
+  checkNormals(surface, parameters);
+  StepTimer timer;
+  if (progress) {
+    timer = StepTimer(progress);
+  }
+  const NeighbourSearch neighbours = neighbourSearch(search, parameters.threads);
+  if (selection == nullptr) {
+    return runPipeline(surface, parameters, neighbours, timer);
+  }
+  SymmetryResult result = runPipeline(selectPoints(surface, *selection), parameters, neighbours, timer);
+  expandSelection(result, surface, *selection);
+  return result;
+}
+
+SymmetryResult
+estimateIntrinsicSymmetry(const Surface& surface,
+                          const SymmetryParameters& parameters,
+                          const ProgressCallback& progress)
+{
+  return detail::estimateSelected(surface, nullptr, parameters, {}, progress);
+}
+
+std::vector<Triangle>
+detail::triangulatePolygons(const PolygonMesh& mesh)
+{
+  const std::size_t points = std::size_t{mesh.cloud.width} * mesh.cloud.height;
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.polygons.size());
+  for (std::size_t i = 0; i < mesh.polygons.size(); ++i) {
+    const auto& corners = mesh.polygons[i].vertices;
+    for (const auto corner : corners) {
+      if (static_cast<std::size_t>(corner) >= points) {
+        PCL_THROW_EXCEPTION(BadArgumentException,
+                            "polygon " << i << " refers to point " << corner << ", there are " << points << " points");
+      }
+    }
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+      triangles.push_back(
+          {static_cast<Index>(corners[0]), static_cast<Index>(corners[k - 1]), static_cast<Index>(corners[k])});
+    }
+  }
+  return triangles;
+}
+
+} // namespace symmetry
+} // namespace pcl

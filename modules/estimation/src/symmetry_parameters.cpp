@@ -1,0 +1,52 @@
+#include <pcl/symmetry/symmetry.h>
+
+#include <pcl/exceptions.h>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+template <typename Number>
+void
+checkRange(const char* name, Number value, Number least, Number most)
+{
+  if (!(value >= least && value <= most)) { // also true of NaN
+    PCL_THROW_EXCEPTION(BadArgumentException, name << " is " << value << ", allowed are " << least << " to " << most);
+  }
+}
+
+} // namespace
+
+const char*
+toString(SymmetryStatus status)
+{
+  switch (status) {
+  case SymmetryStatus::Symmetric:
+    return "symmetric";
+  case SymmetryStatus::NoSymmetry:
+    return "no_symmetry";
+  case SymmetryStatus::TooFewPoints:
+    return "too_few_points";
+  case SymmetryStatus::Cancelled:
+    return "cancelled";
+  }
+  return "unknown";
+}
+
+void
+checkParameters(const SymmetryParameters& parameters)
+{
+  constexpr float largest = 1e30F;
+  checkRange("k_search", parameters.k_search, 3, 256);
+  checkRange("radius", parameters.radius, 0.0F, largest);
+  checkRange("outlier_deviations", parameters.outlier_deviations, 0.0F, largest);
+  checkRange("landmarks", parameters.landmarks, 10, 1000);
+  if (parameters.samples != 0) {
+    checkRange("samples", parameters.samples, 20, 20000);
+  }
+  checkRange("embedding_dimensions", parameters.embedding_dimensions, 2, 20);
+  checkRange("alternatives", parameters.alternatives, 1, 100);
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,40 @@
+/** \file
+ * \brief The first samples of a coarse surface with all their mutual distances: where hypotheses are made and judged.
+ */
+#pragma once
+
+#include "symmetry/coarse_surface.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Hubs are samples 0 .. size-1 of the coarse surface, evenly spaced as they come from farthest-point sampling.
+ */
+struct HubSurface {
+  Eigen::MatrixXf distances;       ///< hubs x hubs, geodesic along the coarse graph, exactly symmetric
+  float diameter = 0.0F;           ///< largest distance
+  std::vector<Triangle> triangles; ///< dual of the hubs' cells
+  std::vector<Index> nearest_hub;  ///< of every sample
+  std::vector<Vector3> points;
+  std::vector<Vector3> normals;
+  std::vector<float> centrality;  ///< average geodesic distance (AGD) of each hub
+  std::vector<Index> extremities; ///< local maxima of the AGD, the farthest out first
+
+  std::size_t
+  size() const
+  {
+    return points.size();
+  }
+};
+
+/** \brief Takes the first \a hubs samples; cost: one shortest-path search on the coarse graph for each.
+ * \param[in] metric Euclidean: the mutual distances are straight lines */
+HubSurface
+makeHubSurface(const CoarseSurface& surface, std::size_t hubs, Metric metric, unsigned threads);
+
+} // namespace symmetry
+} // namespace pcl

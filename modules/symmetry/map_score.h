@@ -1,0 +1,38 @@
+/** \file
+ * \brief How good a map of the hubs is as a reflective symmetry of the surface.
+ */
+#pragma once
+
+#include "symmetry/functional_map.h"
+#include "symmetry/hub_surface.h"
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Measures of a map m, lengths as shares of the diameter; the lower \a value the better. */
+struct MapScore {
+  float isometry = 1.0F;     ///< mean |d (i, j) - d (m (i), m (j))|
+  float involution = 1.0F;   ///< mean d (i, m (m (i)))
+  float displacement = 0.0F; ///< mean d (i, m (i))
+  float fixed = 1.0F;        ///< share of hubs that move less than 6 %
+  float reversal = 0.0F;     ///< share of the area that is turned over: near 1 for a reflection, 0 for a rotation
+  float value = 1e9F;
+};
+
+/** \brief Weights of the measures in MapScore::value. */
+struct ScoreWeights {
+  float displacement = 0.5F;
+  float reversal = 2.0F;
+  float fixed = 3.0F;
+};
+
+/** \param[in] queries how many hubs take part in the measure of isometry */
+MapScore
+scoreMap(const HubSurface& hubs, const SampleMap& map, std::size_t queries, const ScoreWeights& weights);
+
+/** \brief Mean distance between the images of two maps, share of the diameter. */
+float
+mapDifference(const HubSurface& hubs, const SampleMap& a, const SampleMap& b);
+
+} // namespace symmetry
+} // namespace pcl

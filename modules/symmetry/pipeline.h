@@ -1,0 +1,30 @@
+/** \file
+ * \brief The whole sequence, from a surface to the result, on one screen.
+ */
+#pragma once
+
+#include "geodesic/neighbour_graph.h"
+#include "symmetry/step_timer.h"
+
+#include <pcl/symmetry/surface.h>
+#include <pcl/symmetry/symmetry_parameters.h>
+#include <pcl/symmetry/symmetry_result.h>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Estimates the symmetry of a surface whose triangles and parameters have been checked.
+ *
+ * \param[in] surface triangle indices in range
+ * \param[in] parameters all within their ranges
+ * \param[in] search nearest-neighbour search for clouds
+ * \param[in] timer tells the caller of each step
+ */
+SymmetryResult
+runPipeline(const Surface& surface,
+            const SymmetryParameters& parameters,
+            const NeighbourSearch& search,
+            StepTimer& timer);
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,51 @@
+/** \file
+ * \brief From a map of the samples to a map of every point.
+ */
+#pragma once
+
+#include "symmetry/coarse_surface.h"
+#include "symmetry/functional_map.h"
+#include "symmetry/laplacian_basis.h"
+#include "symmetry/sample_interpolation.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Points of each cell: cell i owns entries [offsets[i], offsets[i + 1]) of points, ascending. */
+struct CellMembers {
+  std::vector<std::uint32_t> offsets;
+  std::vector<Index> points;
+};
+
+CellMembers
+membersOfCells(const CoarseSurface& coarse);
+
+/** \brief Partner point of every sample, to the precision of the surface instead of that of the samples.
+ *
+ * Searched by eigenfunctions among the points of the cells around the image of the sample.
+ * \param[in] map partner sample of every sample
+ * \param[in] matrix its action on the leading eigenfunctions
+ */
+std::vector<Index>
+partnersOfSamples(const CoarseSurface& coarse,
+                  const LaplacianBasis& basis,
+                  const SampleInterpolation& interpolation,
+                  const CellMembers& members,
+                  const SampleMap& map,
+                  const Eigen::MatrixXf& matrix,
+                  unsigned threads);
+
+/** \brief Partner of every point: where the local linear fit to the partners of the samples around it puts it, the
+ * nearest point of the surface. Smooth wherever the partners of the samples are. */
+std::vector<Index>
+partnersOfPoints(const PreparedSurface& surface,
+                 const CoarseSurface& coarse,
+                 const SampleInterpolation& interpolation,
+                 const CellMembers& members,
+                 const std::vector<Index>& sample_partners,
+                 unsigned threads);
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,41 @@
+/** \file
+ * \brief The robust method: many hypotheses of the global map, scored, refined in a Laplacian basis, chosen.
+ */
+#pragma once
+
+#include "symmetry/map_estimate.h"
+#include "symmetry/prepared_surface.h"
+#include "symmetry/step_timer.h"
+#include "symmetry/symmetry_search.h"
+
+#include <pcl/symmetry/symmetry_parameters.h>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief What the robust method is made of; the defaults are those of the class. */
+struct RobustSettings {
+  std::size_t samples = 1500;
+  std::size_t hubs = 600;
+  int eigenfunctions = 60;
+  SearchSettings search;
+  std::vector<int> final_levels{40, 50, 60}; ///< eigenfunctions used by the refinement on all samples
+};
+
+/** \brief Finds the symmetric map of any connected surface.
+ *
+ * Status TooFewPoints below 60 points, NoSymmetry where no candidate explains the surface as a reflection.
+ * \param[in] surface connected, at unit scale
+ * \param[in] parameters metric, samples (0: 1500), alternatives, sparse_only, threads
+ * \param[in] settings ingredients
+ * \param[in,out] timer told of the steps sampling, embedding, geodesics, hypotheses, matching, dense
+ * \throws Cancelled by the timer
+ */
+MapEstimate
+estimateRobust(const PreparedSurface& surface,
+               const SymmetryParameters& parameters,
+               const RobustSettings& settings,
+               StepTimer& timer);
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,56 @@
+#include "symmetry/map_confidence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace symmetry {
+
+float
+reflectionConfidence(const MapScore& score)
+{
+  constexpr float even = -1.6F; // score at which right and wrong are equally likely
+  constexpr float slope = 5.0F;
+  return 1.0F / (1.0F + std::exp(slope * (score.value - even)));
+}
+
+bool
+isReflection(const MapScore& score)
+{
+  return reflectionConfidence(score) >= 0.5F && score.reversal >= 0.5F;
+}
+
+std::vector<float>
+pointConfidences(const HubSurface& hubs,
+                 const CoarseSurface& coarse,
+                 const SampleMap& map,
+                 const SampleInterpolation& interpolation,
+                 float map_confidence)
+{
+  constexpr float tolerance = 0.05F;
+  constexpr std::size_t most_probes = 200;
+  const std::size_t probes = std::min(most_probes, hubs.size());
+  std::vector<float> change_at_hub(hubs.size(), 0.0F);
+  for (std::size_t i = 0; i < hubs.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const auto image = static_cast<Eigen::Index>(hubs.nearest_hub[map[i]]);
+    for (std::size_t j = 0; j < probes; ++j) {
+      const auto column = static_cast<Eigen::Index>(j);
+      change_at_hub[i] += std::abs(hubs.distances(row, column) - hubs.distances(image, hubs.nearest_hub[map[j]]));
+    }
+    change_at_hub[i] /= static_cast<float>(probes) * hubs.diameter * tolerance;
+  }
+  std::vector<float> change(coarse.size());
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    change[i] = change_at_hub[hubs.nearest_hub[i]];
+  }
+  std::vector<float> confidences(interpolation.offsets.size() - 1);
+  for (std::size_t v = 0; v < confidences.size(); ++v) {
+    const float at_point = interpolation.at(v, change);
+    confidences[v] = std::clamp(map_confidence / (1.0F + at_point * at_point), 0.0F, 1.0F);
+  }
+  return confidences;
+}
+
+} // namespace symmetry
+} // namespace pcl

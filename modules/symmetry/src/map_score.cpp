@@ -1,0 +1,101 @@
+#include "symmetry/map_score.h"
+
+#include "geodesic/vector_math.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Mean |d (i, j) - d (m (i), m (j))| over the first \a queries hubs. */
+float
+isometryError(const HubSurface& hubs, const SampleMap& map, std::size_t queries)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < queries; ++i) {
+    float row = 0.0F;
+    const float* from = hubs.distances.col(static_cast<Eigen::Index>(i)).data();
+    const float* to = hubs.distances.col(map[i]).data();
+    for (std::size_t j = 0; j < queries; ++j) {
+      row += std::abs(from[j] - to[map[j]]);
+    }
+    sum += row;
+  }
+  return static_cast<float>(sum / static_cast<double>(queries * queries)) / hubs.diameter;
+}
+
+/** Area of the triangles that the map turns over, as a share of the area of all: an image counts by its own area, at
+ * most by that of the original, so that the slivers that sampling noise turns over do not. */
+float
+reversedShare(const HubSurface& hubs, const SampleMap& map)
+{
+  double reversed = 0.0;
+  double total = 0.0;
+  const auto mapped = [&](Index v) {
+    return static_cast<std::size_t>(v) < map.size() ? map[v] : no_index;
+  };
+  for (const Triangle& t : hubs.triangles) {
+    const Triangle image{mapped(t[0]), mapped(t[1]), mapped(t[2])};
+    if (image[0] == no_index || image[1] == no_index || image[2] == no_index) {
+      continue;
+    }
+    const Vector3& p = hubs.points[t[0]];
+    const float area = norm(cross(hubs.points[t[1]] - p, hubs.points[t[2]] - p));
+    const Vector3& q = hubs.points[image[0]];
+    const Vector3 facing = cross(hubs.points[image[1]] - q, hubs.points[image[2]] - q);
+    const Vector3 normal = normalized(hubs.normals[image[0]] + hubs.normals[image[1]] + hubs.normals[image[2]]);
+    reversed += std::clamp(-dot(facing, normal), -area, area);
+    total += area;
+  }
+  return total > 0.0 ? static_cast<float>(0.5 + 0.5 * reversed / total) : 0.5F;
+}
+
+} // namespace
+
+MapScore
+scoreMap(const HubSurface& hubs, const SampleMap& map, std::size_t queries, const ScoreWeights& weights)
+{
+  MapScore score;
+  score.isometry = isometryError(hubs, map, std::min(queries, map.size()));
+  double involution = 0.0;
+  double displacement = 0.0;
+  std::size_t fixed = 0;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const float moved = hubs.distances(row, map[i]) / hubs.diameter;
+    displacement += moved;
+    fixed += moved < 0.06F ? 1U : 0U;
+    if (static_cast<std::size_t>(map[i]) < map.size()) {
+      involution += hubs.distances(row, map[map[i]]) / hubs.diameter;
+    }
+  }
+  const auto count = static_cast<double>(map.size());
+  score.involution = static_cast<float>(involution / count);
+  score.displacement = static_cast<float>(displacement / count);
+  score.fixed = static_cast<float>(static_cast<double>(fixed) / count);
+  score.reversal = reversedShare(hubs, map);
+
+  constexpr float floor = 2e-3F;        // sampling noise: no map is better than this
+  constexpr float largest_fixed = 0.3F; // a reflection keeps only a curve
+  constexpr float enough = 0.3F;        // displacement of a reflection that moves most of the surface
+  score.value = std::log(score.isometry + 0.5F * score.involution + floor) -
+                weights.displacement * std::log(std::min(score.displacement, enough) + floor) +
+                weights.reversal * (1.0F - score.reversal) +
+                weights.fixed * std::max(0.0F, score.fixed - largest_fixed);
+  return score;
+}
+
+float
+mapDifference(const HubSurface& hubs, const SampleMap& a, const SampleMap& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += hubs.distances(a[i], b[i]);
+  }
+  return static_cast<float>(sum / static_cast<double>(a.size())) / hubs.diameter;
+}
+
+} // namespace symmetry
+} // namespace pcl

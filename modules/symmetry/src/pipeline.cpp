@@ -1,0 +1,155 @@
+#include "symmetry/pipeline.h"
+
+#include "symmetry/axis_curve.h"
+#include "symmetry/map_quality.h"
+#include "symmetry/robust_method.h"
+#include "symmetry/sides.h"
+#include "symmetry/staged_method.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** A result that says nothing about any point. */
+SymmetryResult
+emptyResult(const Surface& surface)
+{
+  SymmetryResult result;
+  result.partners.assign(surface.size(), no_index);
+  result.confidences.assign(surface.size(), 0.0F);
+  result.sides.assign(surface.size(), Side::None);
+  result.regions.assign(surface.size(), Region::None);
+  result.input.points = surface.size();
+  result.input.faces = surface.triangles.size();
+  return result;
+}
+
+/** Numbers of points of the input in place of those of the prepared surface. */
+class ToInput {
+public:
+  explicit ToInput(const PreparedSurface& prepared) : original_(prepared.original)
+  {
+  }
+
+  Index
+  operator()(Index v) const
+  {
+    return v == no_index ? no_index : original_[v];
+  }
+
+  template <typename Value>
+  void
+  scatter(const std::vector<Value>& from, std::vector<Value>& to) const
+  {
+    for (std::size_t v = 0; v < from.size(); ++v) {
+      to[original_[v]] = from[v];
+    }
+  }
+
+  std::vector<Index>
+  renumbered(std::vector<Index> points) const
+  {
+    std::transform(points.begin(), points.end(), points.begin(), *this);
+    return points;
+  }
+
+private:
+  const std::vector<Index>& original_;
+};
+
+void
+deliverMap(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
+{
+  const ToInput to_input(prepared);
+  to_input.scatter(to_input.renumbered(estimate.partners), result.partners);
+  to_input.scatter(estimate.confidences, result.confidences);
+  to_input.scatter(estimate.regions, result.regions);
+  result.extremities = to_input.renumbered(estimate.extremities);
+  for (const SymmetricMatch& match : estimate.matches) {
+    result.matches.push_back({to_input(match.source), to_input(match.target), to_input(match.midpoint), match.cost});
+  }
+  for (const AlternativeMap& alternative : estimate.alternatives) {
+    result.alternatives.push_back(alternative);
+    result.alternatives.back().partners.assign(result.partners.size(), no_index);
+    to_input.scatter(to_input.renumbered(alternative.partners), result.alternatives.back().partners);
+  }
+}
+
+void
+deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
+{
+  const ToInput to_input(prepared);
+  const std::vector<float> side_function = absorbSpecks(prepared.graph, estimate.side_function);
+  const std::vector<Side> sides = labelSides(prepared.graph, side_function);
+  to_input.scatter(sides, result.sides);
+  for (Polyline& line : traceAxis(prepared.graph, prepared.triangles, side_function, sides)) {
+    line.points = to_input.renumbered(std::move(line.points));
+    result.axis.push_back(std::move(line));
+  }
+  result.map.axis = static_cast<std::size_t>(std::count(sides.begin(), sides.end(), Side::Axis));
+}
+
+MapEstimate
+estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameters, StepTimer& timer)
+{
+  if (parameters.method == Method::Staged) {
+    return estimateStaged(prepared, parameters, timer);
+  }
+  static const RobustSettings default_settings;
+  return estimateRobust(prepared, parameters, default_settings, timer);
+}
+
+void
+estimateInto(SymmetryResult& result,
+             const Surface& surface,
+             const SymmetryParameters& parameters,
+             const NeighbourSearch& search,
+             StepTimer& timer)
+{
+  timer.start("graph", 0.0);
+  const PreparedSurface prepared = prepareSurface(surface, parameters, search);
+  result.input = prepared.summary;
+
+  const MapEstimate estimate = estimateMap(prepared, parameters, timer);
+  result.status = estimate.status;
+  result.message = estimate.message;
+  result.confidence = estimate.confidence;
+  result.diameter = estimate.diameter / prepared.scale;
+  if (estimate.status != SymmetryStatus::Symmetric) {
+    return;
+  }
+  deliverMap(estimate, prepared, result);
+  timer.start("quality", 0.85);
+  result.map = measureMap(prepared, estimate.partners, estimate.diameter, parameters.threads);
+  timer.start("axis", 0.9);
+  deliverSides(estimate, prepared, result);
+}
+
+} // namespace
+
+SymmetryResult
+runPipeline(const Surface& surface,
+            const SymmetryParameters& parameters,
+            const NeighbourSearch& search,
+            StepTimer& timer)
+{
+  SymmetryResult result = emptyResult(surface);
+  try {
+    estimateInto(result, surface, parameters, search, timer);
+  }
+  catch (const Cancelled&) {
+    const InputSummary input = result.input;
+    result = emptyResult(surface);
+    result.input = input;
+    result.status = SymmetryStatus::Cancelled;
+    result.message = "cancelled by the progress callback";
+  }
+  timer.stop();
+  result.seconds = timer.seconds();
+  return result;
+}
+
+} // namespace symmetry
+} // namespace pcl

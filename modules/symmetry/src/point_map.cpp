@@ -1,0 +1,126 @@
+#include "symmetry/point_map.h"
+
+#include "geodesic/parallel.h"
+#include "geodesic/vector_math.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** The cell and those adjacent to it, ascending. */
+std::vector<Index>
+cellAndNeighbours(const SurfaceGraph& graph, Index cell)
+{
+  std::vector<Index> cells{cell};
+  cells.insert(cells.end(), graph.neighbours.begin() + graph.offsets[cell],
+               graph.neighbours.begin() + graph.offsets[cell + 1]);
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+/** Point of the given cells that is nearest to a position. */
+Index
+nearestPoint(const std::vector<Vector3>& points,
+             const CellMembers& members,
+             const std::vector<Index>& cells,
+             const Vector3& position)
+{
+  Index best = no_index;
+  float least = std::numeric_limits<float>::infinity();
+  for (const Index cell : cells) {
+    for (std::uint32_t e = members.offsets[cell]; e < members.offsets[cell + 1]; ++e) {
+      const Vector3 offset = points[members.points[e]] - position;
+      const float squared = dot(offset, offset);
+      if (squared < least) {
+        least = squared;
+        best = members.points[e];
+      }
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+CellMembers
+membersOfCells(const CoarseSurface& coarse)
+{
+  CellMembers members;
+  members.offsets.assign(coarse.size() + 1, 0);
+  for (const Index owner : coarse.cells.owner) {
+    ++members.offsets[owner + 1];
+  }
+  std::partial_sum(members.offsets.begin(), members.offsets.end(), members.offsets.begin());
+  members.points.resize(coarse.cells.owner.size());
+  std::vector<std::uint32_t> next(members.offsets.begin(), members.offsets.end() - 1);
+  for (std::size_t v = 0; v < coarse.cells.owner.size(); ++v) {
+    members.points[next[coarse.cells.owner[v]]++] = static_cast<Index>(v);
+  }
+  return members;
+}
+
+std::vector<Index>
+partnersOfSamples(const CoarseSurface& coarse,
+                  const LaplacianBasis& basis,
+                  const SampleInterpolation& interpolation,
+                  const CellMembers& members,
+                  const SampleMap& map,
+                  const Eigen::MatrixXf& matrix,
+                  unsigned threads)
+{
+  const Eigen::MatrixXf functions = basis.functions.leftCols(matrix.cols());
+  const Eigen::MatrixXf wanted = functions * matrix;
+  // In a dense cell a part of the points is enough: the fit of the points around averages what is lost.
+  constexpr std::uint32_t most_per_cell = 48;
+  std::vector<Index> partners(coarse.size());
+  parallelFor(
+      coarse.size(), threads,
+      [&](std::size_t i) {
+        float least = std::numeric_limits<float>::infinity();
+        for (const Index cell : cellAndNeighbours(coarse.graph, map[i])) {
+          const std::uint32_t step = 1 + (members.offsets[cell + 1] - members.offsets[cell]) / most_per_cell;
+          for (std::uint32_t e = members.offsets[cell]; e < members.offsets[cell + 1]; e += step) {
+            const Index candidate = members.points[e];
+            const float squared = (interpolation.at(static_cast<std::size_t>(candidate), functions) -
+                                   wanted.row(static_cast<Eigen::Index>(i)))
+                                      .squaredNorm();
+            if (squared < least) {
+              least = squared;
+              partners[i] = candidate;
+            }
+          }
+        }
+      },
+      16);
+  return partners;
+}
+
+std::vector<Index>
+partnersOfPoints(const PreparedSurface& surface,
+                 const CoarseSurface& coarse,
+                 const SampleInterpolation& interpolation,
+                 const CellMembers& members,
+                 const std::vector<Index>& sample_partners,
+                 unsigned threads)
+{
+  std::vector<Index> partners(surface.size());
+  parallelFor(
+      surface.size(), threads,
+      [&](std::size_t v) {
+        Vector3 position{0.0F, 0.0F, 0.0F};
+        for (std::uint32_t e = interpolation.offsets[v]; e < interpolation.offsets[v + 1]; ++e) {
+          position = position + interpolation.weights[e] * surface.points[sample_partners[interpolation.samples[e]]];
+        }
+        const Index home = coarse.cells.owner[sample_partners[coarse.cells.owner[v]]];
+        partners[v] = nearestPoint(surface.points, members, cellAndNeighbours(coarse.graph, home), position);
+      },
+      256);
+  return partners;
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,174 @@
+#include "symmetry/prepared_surface.h"
+
+#include "geodesic/vector_math.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Keeps the points with a true entry in \a keep, in order, and what refers to them. */
+void
+keepPoints(PreparedSurface& surface, const std::vector<char>& keep)
+{
+  std::vector<Index> new_number(surface.size(), no_index);
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    if (keep[v] != 0) {
+      new_number[v] = static_cast<Index>(kept);
+      surface.points[kept] = surface.points[v];
+      surface.original[kept] = surface.original[v];
+      if (!surface.normals.empty()) {
+        surface.normals[kept] = surface.normals[v];
+      }
+      ++kept;
+    }
+  }
+  surface.points.resize(kept);
+  surface.original.resize(kept);
+  if (!surface.normals.empty()) {
+    surface.normals.resize(kept);
+  }
+  std::size_t faces = 0;
+  for (const Triangle& t : surface.triangles) {
+    const Triangle renumbered{new_number[t[0]], new_number[t[1]], new_number[t[2]]};
+    if (renumbered[0] != no_index && renumbered[1] != no_index && renumbered[2] != no_index) {
+      surface.triangles[faces++] = renumbered;
+    }
+  }
+  surface.triangles.resize(faces);
+}
+
+void
+dropNonFinitePoints(PreparedSurface& surface)
+{
+  std::vector<char> keep(surface.size());
+  std::transform(surface.points.begin(), surface.points.end(), keep.begin(), isFinite);
+  surface.summary.non_finite = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
+  if (surface.summary.non_finite > 0) {
+    keepPoints(surface, keep);
+  }
+}
+
+/** Moves the bounding box to the origin and scales its longest side to 1, in double: coordinates may be huge. */
+void
+normalizeScale(PreparedSurface& surface)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{infinity, infinity, infinity};
+  std::array<double, 3> high{-infinity, -infinity, -infinity};
+  for (const Vector3& p : surface.points) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], double{p[k]});
+      high[k] = std::max(high[k], double{p[k]});
+    }
+  }
+  const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  const double scale = extent > 0.0 ? 1.0 / extent : 1.0;
+  for (Vector3& p : surface.points) {
+    for (int k = 0; k < 3; ++k) {
+      p[k] = static_cast<float>((p[k] - 0.5 * (low[k] + high[k])) * scale);
+    }
+  }
+  surface.scale = static_cast<float>(scale);
+}
+
+SurfaceGraph
+buildSurfaceGraph(const PreparedSurface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
+{
+  if (!surface.triangles.empty()) {
+    return buildMeshGraph(surface.points, surface.triangles);
+  }
+  return buildNeighbourGraph(surface.points, search(surface.points, parameters.k_search),
+                             parameters.radius * surface.scale);
+}
+
+/** Restricts the surface to the largest component of its graph. */
+void
+keepLargestComponent(PreparedSurface& surface)
+{
+  const Components components = connectedComponents(surface.graph);
+  surface.summary.components = components.sizes.size();
+  if (components.sizes.size() < 2) {
+    return;
+  }
+  surface.summary.other_components = surface.size() - static_cast<std::size_t>(components.sizes[0]);
+  std::vector<char> keep(surface.size());
+  std::vector<Index> new_number(surface.size(), no_index);
+  Index kept = 0;
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    keep[v] = static_cast<char>(components.component_of[v] == 0);
+    if (keep[v] != 0) {
+      new_number[v] = kept++;
+    }
+  }
+  SurfaceGraph graph;
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    if (keep[v] != 0) {
+      for (std::uint32_t e = surface.graph.offsets[v]; e < surface.graph.offsets[v + 1]; ++e) {
+        graph.neighbours.push_back(new_number[surface.graph.neighbours[e]]);
+        graph.lengths.push_back(surface.graph.lengths[e]);
+      }
+      graph.offsets.push_back(static_cast<std::uint32_t>(graph.neighbours.size()));
+    }
+  }
+  surface.graph = std::move(graph);
+  keepPoints(surface, keep);
+}
+
+void
+dropDegenerateTriangles(std::vector<Triangle>& triangles)
+{
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                 [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
+                  triangles.end());
+}
+
+/** Mean of the normals of the faces around each vertex, weighted by area. */
+std::vector<Vector3>
+vertexNormals(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles)
+{
+  std::vector<Vector3> normals(points.size(), Vector3{0.0F, 0.0F, 0.0F});
+  for (const Triangle& t : triangles) {
+    const Vector3 doubled_area = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+    for (const Index v : t) {
+      normals[v] = normals[v] + doubled_area;
+    }
+  }
+  for (Vector3& n : normals) {
+    n = normalized(n);
+  }
+  return normals;
+}
+
+} // namespace
+
+PreparedSurface
+prepareSurface(const Surface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
+{
+  PreparedSurface prepared;
+  prepared.points = surface.points;
+  prepared.triangles = surface.triangles;
+  prepared.original.resize(surface.size());
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    prepared.original[v] = static_cast<Index>(v);
+  }
+  prepared.summary.points = surface.size();
+  prepared.summary.faces = surface.triangles.size();
+
+  dropNonFinitePoints(prepared);
+  dropDegenerateTriangles(prepared.triangles);
+  normalizeScale(prepared);
+  prepared.graph = buildSurfaceGraph(prepared, parameters, search);
+  keepLargestComponent(prepared);
+  if (!prepared.triangles.empty()) {
+    prepared.normals = vertexNormals(prepared.points, prepared.triangles);
+  }
+  prepared.summary.used = prepared.size();
+  return prepared;
+}
+
+} // namespace symmetry
+} // namespace pcl

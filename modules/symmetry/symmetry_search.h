@@ -1,0 +1,50 @@
+/** \file
+ * \brief The search for the global symmetric map among the hubs of a surface: many hypotheses in, ranked maps out.
+ */
+#pragma once
+
+#include "symmetry/hub_surface.h"
+#include "symmetry/laplacian_basis.h"
+#include "symmetry/map_score.h"
+#include "symmetry/shape_descriptor.h"
+#include "symmetry/symmetry_hypotheses.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Settings of the search; every ingredient can be switched off for an ablation. */
+struct SearchSettings {
+  int dimensions = 8; ///< spectral coordinates on which hypotheses act
+  bool sign_patterns = true;
+  std::size_t pairings = 60; ///< hypotheses from extremities, 0: none
+  DescriptorWeights descriptor;
+  ScoreWeights score;
+  std::size_t coarse_queries = 120;                        ///< hubs matched per hypothesis,
+  std::size_t coarse_targets = 300;                        ///< among so many
+  std::size_t refined = 16;                                ///< distinct candidates that are refined
+  std::vector<int> levels{14, 18, 22, 26, 30, 35, 40}; ///< eigenfunctions used by the refinement
+  int guide_dimensions = 12;
+  float guidance = 0.5F;  ///< weight of the local parts of the descriptor in the refinement
+  float distinct = 0.06F; ///< maps that differ less on average (share of the diameter) count as one
+};
+
+/** \brief A refined map of the hubs. */
+struct SymmetryCandidate {
+  SymmetryHypothesis::Source source = SymmetryHypothesis::Source::SignPattern;
+  SampleMap map;          ///< partner of every hub
+  Eigen::MatrixXf matrix; ///< its action on the eigenfunctions
+  MapScore score;
+};
+
+/** \brief Distinct candidates, best first; empty where the surface is too small for the search. */
+std::vector<SymmetryCandidate>
+searchSymmetries(const CoarseSurface& surface,
+                 const LaplacianBasis& basis,
+                 const HubSurface& hubs,
+                 const SearchSettings& settings,
+                 unsigned threads);
+
+} // namespace symmetry
+} // namespace pcl
