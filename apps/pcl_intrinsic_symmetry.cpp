@@ -233,6 +233,9 @@ public:
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine&
   operator=(const ProgressLine&) = delete;
+  ProgressLine(ProgressLine&&) = delete;
+  ProgressLine&
+  operator=(ProgressLine&&) = delete;
 
   ~ProgressLine()
   {

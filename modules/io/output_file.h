@@ -21,6 +21,9 @@ public:
   OutputFile(const OutputFile&) = delete;
   OutputFile&
   operator=(const OutputFile&) = delete;
+  OutputFile(OutputFile&&) = delete;
+  OutputFile&
+  operator=(OutputFile&&) = delete;
   ~OutputFile();
 
   /** \brief \throws pcl::IOException cannot be written, for instance since the disk is full */

@@ -21,6 +21,9 @@ public:
   Descriptor(const Descriptor&) = delete;
   Descriptor&
   operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&&) = delete;
+  Descriptor&
+  operator=(Descriptor&&) = delete;
   ~Descriptor()
   {
     if (number_ >= 0)

@@ -12,7 +12,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr int coverage_size = 40;             ///< cells across the coarse pictures that views are compared by
+constexpr std::size_t coverage_size = 40;     ///< cells across the coarse pictures that views are compared by
 constexpr std::size_t coverage_points = 6000; ///< points drawn into them
 constexpr int directions_tried = 200;
 
@@ -67,7 +67,7 @@ principalDirections(const Scene& scene)
   }
   const Eigen::Matrix3f vectors =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().cast<float>();
-  std::array<Vector3, 3> directions;
+  std::array<Vector3, 3> directions = {};
   for (int i = 0; i < 3; ++i)
     directions[static_cast<std::size_t>(2 - i)] = {vectors(0, i), vectors(1, i), vectors(2, i)};
   return directions;
@@ -127,10 +127,11 @@ countVisible(const Scene& scene, const PictureView& view)
   for (std::size_t i = 0; i < scene.points.size(); ++i) {
     const Vector3 offset = (0.5F / scene.radius) * (scene.points[i] - scene.centre);
     const auto cell = [](float coordinate) {
-      return std::clamp(static_cast<int>((coordinate + 0.5F) * coverage_size), 0, coverage_size - 1);
+      constexpr auto size = static_cast<float>(coverage_size);
+      // In this order what is not a number becomes 0.
+      return static_cast<std::size_t>(std::min(std::max(0.0F, (coordinate + 0.5F) * size), size - 1.0F));
     };
-    Top& top =
-        cells[static_cast<std::size_t>(cell(dot(offset, view.up)) * coverage_size + cell(dot(offset, view.right)))];
+    Top& top = cells[cell(dot(offset, view.up)) * coverage_size + cell(dot(offset, view.right))];
     const float depth = dot(offset, view.toward);
     if (depth > top.depth)
       top = {depth, scene.sides[i]};

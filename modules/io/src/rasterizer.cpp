@@ -45,7 +45,7 @@ shade(const Color& color, float brightness)
   const float factor = std::clamp(brightness, 0.0F, 1.0F);
   Color shaded = color;
   for (std::uint8_t& channel : shaded)
-    channel = static_cast<std::uint8_t>(static_cast<float>(channel) * factor + 0.5F);
+    channel = static_cast<std::uint8_t>(static_cast<float>(channel) * factor);
   return shaded;
 }
 

@@ -37,20 +37,26 @@ public:
   }
 
 private:
+  static std::array<std::uint32_t, 3>
+  bitsOf(const Vector3& position)
+  {
+    std::array<std::uint32_t, 3> bits = {};
+    std::memcpy(bits.data(), position.data(), sizeof(bits));
+    return bits;
+  }
+
   /** \brief The slot that holds the position, or the free one that it belongs into. Compares bits, so NaN equals NaN.
    */
   std::size_t
   findSlot(const Vector3& position) const
   {
-    std::array<std::uint32_t, 3> bits = {};
-    std::memcpy(bits.data(), position.data(), sizeof(bits));
+    const std::array<std::uint32_t, 3> bits = bitsOf(position);
     std::uint64_t hash = bits[0] * 0x9E3779B97F4A7C15ULL;
     hash = (hash ^ (hash >> 32) ^ bits[1]) * 0xBF58476D1CE4E5B9ULL;
     hash = (hash ^ (hash >> 32) ^ bits[2]) * 0x94D049BB133111EBULL;
     const std::size_t mask = slots_.size() - 1;
     std::size_t slot = static_cast<std::size_t>(hash >> 20) & mask;
-    while (slots_[slot] != no_index &&
-           std::memcmp(&points_[static_cast<std::size_t>(slots_[slot])], &position, sizeof(position)) != 0)
+    while (slots_[slot] != no_index && bitsOf(points_[static_cast<std::size_t>(slots_[slot])]) != bits)
       slot = (slot + 1) & mask;
     return slot;
   }
