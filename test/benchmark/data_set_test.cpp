@@ -4,6 +4,7 @@
 #include <pcl/exceptions.h>
 
 #include <map>
+#include <sstream>
 
 namespace pcl {
 namespace symmetry {
@@ -66,10 +67,12 @@ TEST_F(DataSetTest, NumberedModelsHaveTheirOwnLandmarks)
   Lines expected;
   for (const auto& [number, class_name] : class_names) {
     const std::string model = std::to_string(number);
-    const std::string class_number = std::to_string((number - 1) / 20 + 1);
+    const int class_number = (number - 1) / 20 + 1;
     writeAll({"SHREC07/Meshes/" + model + ".off", "SHREC07/Corrs/" + model + ".vts"});
-    expected.push_back("SHREC07 " + class_name + " " + model + " SHREC07/Corrs/" + model + ".vts:SHREC07/Corrs/" +
-                       class_number + ".sym.info");
+    std::ostringstream line;
+    line << "SHREC07 " << class_name << ' ' << number << " SHREC07/Corrs/" << number << ".vts:SHREC07/Corrs/"
+         << class_number << ".sym.info";
+    expected.push_back(line.str());
   }
   EXPECT_EQ(describe("SHREC07"), expected);
 }

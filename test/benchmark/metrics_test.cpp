@@ -145,9 +145,9 @@ TEST(MetricsTest, AgreesWithBruteForce)
   std::iota(truth.begin(), truth.end(), 0);
   std::shuffle(truth.begin(), truth.end(), random);
   Partners partners = truth;
-  for (std::size_t i = 0; i < partners.size(); ++i)
+  for (Index& partner : partners)
     if (random() % 3 == 0)
-      partners[i] = random() % 4 == 0 ? no_index : static_cast<Index>(random() % sphere.size());
+      partner = random() % 4 == 0 ? no_index : static_cast<Index>(random() % sphere.size());
   const MapScore score = scoreMap(sphere, denseTruth(truth), partners);
   const BruteForceScore expected = bruteForceScore(sphere, denseTruth(truth), partners, score.area);
   EXPECT_LT(expected.correspondence_rate, 0.95);

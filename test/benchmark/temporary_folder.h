@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace pcl {
 namespace symmetry {
@@ -18,6 +19,20 @@ namespace test {
 
 /** \brief Base of tests that need files; the folder goes with the test. */
 class TemporaryFolder : public ::testing::Test {
+public:
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder&
+  operator=(const TemporaryFolder&) = delete;
+  TemporaryFolder(TemporaryFolder&&) = delete;
+  TemporaryFolder&
+  operator=(TemporaryFolder&&) = delete;
+
+  ~TemporaryFolder() override
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
 protected:
   TemporaryFolder()
   {
@@ -25,11 +40,6 @@ protected:
     if (mkdtemp(pattern.data()) == nullptr)
       throw std::runtime_error("no folder for temporary files");
     folder_ = pattern;
-  }
-
-  ~TemporaryFolder() override
-  {
-    std::filesystem::remove_all(folder_);
   }
 
   std::string

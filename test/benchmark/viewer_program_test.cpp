@@ -23,8 +23,8 @@ protected:
     std::string sizes;
     std::string types;
     std::string counts;
-    for (std::size_t i = 0; i < fields.size(); ++i)
-      if (fields[i] == ' ') {
+    for (const char c : fields)
+      if (c == ' ') {
         sizes += " 4";
         types += " I";
         counts += " 1";
