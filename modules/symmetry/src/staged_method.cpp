@@ -189,7 +189,6 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
   last_base.addPairs(limbs);
   estimate.side_function =
       absorbSpecks(surface.graph, sideFunction(last_base.sourceFields(), last_base.targetFields()));
-  estimate.status = SymmetryStatus::Symmetric;
   estimate.confidence = mapConfidence(distortion, 1.0F);
 
   if (!parameters.sparse_only) {
@@ -202,6 +201,15 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
     estimate.partners = map.partners;
   }
   timer.stop();
+
+  if (estimate.confidence >= least_trusted_confidence) {
+    estimate.status = SymmetryStatus::Symmetric;
+  }
+  else {
+    estimate.message = "the best map found changes distances too much, or is too far from its own inverse, to be a "
+                       "symmetry: its confidence is " +
+                       std::to_string(estimate.confidence);
+  }
   return estimate;
 }
 
