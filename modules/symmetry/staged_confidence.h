@@ -31,14 +31,13 @@ isometricDistortion(const BaseVertices& base, const std::vector<SymmetricMatch>&
 float
 involutionShare(const std::vector<Vector3>& points, const std::vector<Index>& partners, float diameter);
 
-/** \brief Confidence of the whole map in [0, 1]: exp (-(distortion / 5 %)^2) * involution share.
+/** \brief Confidence that follows from the distortion: exp (-(distortion / 5 %)^2).
  *
- * Poses distort distances by 2 to 4 %; a wrong map, even a good partial one, by 10 % and more.
- * \param[in] distortion see isometricDistortion ()
- * \param[in] involution see involutionShare (); 1 where there is no dense map
+ * Poses distort distances by 2 to 4 %; a wrong map, even a good partial one, by 10 % and more. The confidence of a map
+ * is this times its involutionShare (), if it is dense.
  */
 float
-mapConfidence(float distortion, float involution);
+distortionConfidence(float distortion);
 
 /** \brief Confidence per vertex in [0, 1]: that of the map, less where the features of the partners differ (root mean
  * square 15 % off: a factor of 1 / e) and where the partner's partner is far (10 % of the diameter: 1 / e). */

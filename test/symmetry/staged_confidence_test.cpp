@@ -67,12 +67,12 @@ TEST(InvolutionShare, CountsVerticesThatComeBack)
   EXPECT_EQ(involutionShare(line.points, std::vector<Index>(11, no_index), 10.0F), 0.0F);
 }
 
-TEST(MapConfidence, FallsWithDistortionAndRisesWithInvolution)
+TEST(DistortionConfidence, FallsWithTheDistortion)
 {
-  EXPECT_EQ(mapConfidence(0.0F, 1.0F), 1.0F);
-  EXPECT_NEAR(mapConfidence(0.05F, 1.0F), std::exp(-1.0F), 1e-6F);
-  EXPECT_LT(mapConfidence(0.2F, 1.0F), least_trusted_confidence);
-  EXPECT_FLOAT_EQ(mapConfidence(0.03F, 0.5F), 0.5F * mapConfidence(0.03F, 1.0F));
+  EXPECT_EQ(distortionConfidence(0.0F), 1.0F);
+  EXPECT_NEAR(distortionConfidence(0.05F), std::exp(-1.0F), 1e-6F);
+  EXPECT_GT(distortionConfidence(0.04F), least_trusted_confidence);
+  EXPECT_LT(distortionConfidence(0.1F), least_trusted_confidence);
 }
 
 TEST(VertexConfidences, RankExactMatchesFirst)

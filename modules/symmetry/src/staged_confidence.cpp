@@ -40,11 +40,11 @@ involutionShare(const std::vector<Vector3>& points, const std::vector<Index>& pa
 }
 
 float
-mapConfidence(float distortion, float involution)
+distortionConfidence(float distortion)
 {
   constexpr float tolerable_distortion = 0.05F;
   const float relative = distortion / tolerable_distortion;
-  return std::exp(-relative * relative) * involution;
+  return std::exp(-relative * relative);
 }
 
 std::vector<float>

@@ -127,20 +127,52 @@ matchInStages(BaseVertices& base,
       sides);
 }
 
+MapEstimate
+tooFewPoints(std::size_t points)
+{
+  MapEstimate estimate;
+  estimate.status = SymmetryStatus::TooFewPoints;
+  estimate.message = "the staged method needs " + std::to_string(fewest_points) + " connected points, there are " +
+                     std::to_string(points);
+  return estimate;
+}
+
+/** Dense map: every vertex matched with the base of the last stage. */
+void
+matchEveryVertex(const PreparedSurface& surface, const BaseVertices& base, unsigned threads, MapEstimate& estimate)
+{
+  DenseMap map = denseMap(base, estimate.side_function, threads);
+  estimate.confidence *= involutionShare(surface.points, map.partners, estimate.diameter);
+  estimate.confidences =
+      vertexConfidences(surface.points, map, base.dimensions(), estimate.diameter, estimate.confidence);
+  estimate.partners = std::move(map.partners);
+}
+
+/** Whether the map is a symmetry. */
+void
+judge(MapEstimate& estimate)
+{
+  if (estimate.confidence >= least_trusted_confidence) {
+    estimate.status = SymmetryStatus::Symmetric;
+  }
+  else {
+    estimate.message = "the best map found changes distances too much, or is too far from its own inverse, to be a "
+                       "symmetry: its confidence is " +
+                       std::to_string(estimate.confidence);
+  }
+}
+
 } // namespace
 
 MapEstimate
 estimateStaged(const PreparedSurface& surface, const SymmetryParameters& parameters, StepTimer& timer)
 {
-  const unsigned threads = parameters.threads;
-  MapEstimate estimate;
   if (surface.size() < fewest_points) {
-    estimate.status = SymmetryStatus::TooFewPoints;
-    estimate.message = "the staged method needs " + std::to_string(fewest_points) + " connected points, there are " +
-                       std::to_string(surface.size());
-    return estimate;
+    return tooFewPoints(surface.size());
   }
+  const unsigned threads = parameters.threads;
   const std::unique_ptr<SurfaceMetric> metric = makeMetric(surface, parameters.metric);
+  MapEstimate estimate;
 
   timer.start("sampling", 0.0);
   const Index start = farthestFromCentre(surface.points);
@@ -156,60 +188,43 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
 
   timer.start("hypotheses", 0.2);
   const SurfaceGraph embedded = embeddedGraph(surface.graph, embedding);
-  const std::vector<Index> extremes = mutuallyFarthestVertices(embedded, start, 4);
-  if (extremes.size() < 4) {
+  const std::vector<Index> tips = mutuallyFarthestVertices(embedded, start, 4);
+  if (tips.size() < 4) {
     estimate.message = "fewer than four distinct extreme points: the staged method needs two pairs of limbs";
     return estimate;
   }
-  const TipFunctions tips = tipFunctions(embedded, start, average_samples, tip_separation * estimate.diameter, threads);
-  const ExtremePairs pairs = pairExtremePoints({extremes[0], extremes[1], extremes[2], extremes[3]},
-                                               pairingFeature(tips, parameters.pairing), *metric, landmarks, threads);
+  const TipFunctions functions =
+      tipFunctions(embedded, start, average_samples, tip_separation * estimate.diameter, threads);
+  const ExtremePairs pairs = pairExtremePoints(
+      {tips[0], tips[1], tips[2], tips[3]}, pairingFeature(functions, parameters.pairing), *metric, landmarks, threads);
   estimate.extremities = {pairs.h1, pairs.h2, pairs.f1, pairs.f2};
-
-  BaseVertices base(*metric, threads);
   std::vector<SymmetricMatch> limbs = {{pairs.h1, pairs.h2, no_index, 0.0F}, {pairs.f1, pairs.f2, no_index, 0.0F}};
+  BaseVertices base(*metric, threads);
   base.addPairs(limbs);
-  estimate.regions =
-      limbRegions(base.sourceFields(), base.targetFields(), limbs[0].midpoint, limbs[1].midpoint); // section 3.2
-
-  timer.start("matching", 0.35);
   base.addMidpoint(middleOfSides(pairs, *metric, threads));
+  estimate.regions = limbRegions(base.sourceFields(), base.targetFields(), limbs[0].midpoint, limbs[1].midpoint);
+
+  timer.start("matching", 0.35); // section 3.3
   const std::size_t count = parameters.samples == 0 ? default_samples : static_cast<std::size_t>(parameters.samples);
   const std::vector<Index> samples = sampleSourceAndCentre(*metric, start, count, estimate.regions);
-  estimate.matches = matchInStages(base, tips, estimate.regions, samples, threads);
+  estimate.matches = matchInStages(base, functions, estimate.regions, samples, threads);
   if (estimate.matches.empty()) {
     estimate.message = "no vertices of one side could be matched with the other side";
     return estimate;
   }
-
-  // The base of the side decision and of the dense map: the extreme points and the last stage's matches.
-  BaseVertices last_base(*metric, threads);
+  BaseVertices last_base(*metric, threads); // the last stage's matches and the extreme points
   last_base.addPairs(estimate.matches);
-  const float distortion = isometricDistortion(last_base, estimate.matches, estimate.diameter);
+  estimate.confidence = distortionConfidence(isometricDistortion(last_base, estimate.matches, estimate.diameter));
   last_base.addPairs(limbs);
   estimate.side_function =
       absorbSpecks(surface.graph, sideFunction(last_base.sourceFields(), last_base.targetFields()));
-  estimate.confidence = mapConfidence(distortion, 1.0F);
 
   if (!parameters.sparse_only) {
     timer.start("dense", 0.7);
-    const DenseMap map = denseMap(last_base, estimate.side_function, threads);
-    const float involution = involutionShare(surface.points, map.partners, estimate.diameter);
-    estimate.confidence = mapConfidence(distortion, involution);
-    estimate.confidences =
-        vertexConfidences(surface.points, map, last_base.dimensions(), estimate.diameter, estimate.confidence);
-    estimate.partners = map.partners;
+    matchEveryVertex(surface, last_base, threads, estimate);
   }
   timer.stop();
-
-  if (estimate.confidence >= least_trusted_confidence) {
-    estimate.status = SymmetryStatus::Symmetric;
-  }
-  else {
-    estimate.message = "the best map found changes distances too much, or is too far from its own inverse, to be a "
-                       "symmetry: its confidence is " +
-                       std::to_string(estimate.confidence);
-  }
+  judge(estimate);
   return estimate;
 }
 
