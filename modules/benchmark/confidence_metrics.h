@@ -38,9 +38,15 @@ struct CoveragePoint {
 std::vector<CoveragePoint>
 coverageCurve(std::vector<Judgement> judgements, int steps = 20);
 
-/** \brief One judgement per scored run that has a map: its confidence, and whether its Mesh Rate is 1. */
+/** \brief Which runs a judgement of maps takes in. */
+enum class JudgedRuns {
+  All,      ///< every scored run; one that refused to deliver a map counts as wrong
+  Delivered ///< those that delivered a map
+};
+
+/** \brief One judgement per scored run: the confidence of its map, and whether its Mesh Rate is 1. */
 std::vector<Judgement>
-judgeMaps(const std::vector<ModelRun>& runs);
+judgeMaps(const std::vector<ModelRun>& runs, JudgedRuns which);
 
 /** \brief One judgement per scored vertex with a partner: its confidence, and whether it is right. */
 std::vector<Judgement>

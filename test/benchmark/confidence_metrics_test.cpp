@@ -75,7 +75,10 @@ TEST(ConfidenceMetricsTest, JudgesWhatHasAMapAndAScore)
   const std::vector<ModelRun> runs{test::makeRun("KIDS", "kids", "good", 4), test::makeRun("KIDS", "kids", "bad", 3),
                                    test::makeFailedRun("KIDS", "kids", "failed"),
                                    test::makeUnscoredRun("clouds", "horse"), without_map};
-  const std::vector<Judgement> maps = judgeMaps(runs);
+  const std::vector<Judgement> all = judgeMaps(runs, JudgedRuns::All);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_FALSE(all[2].right) << "no map is no right one";
+  const std::vector<Judgement> maps = judgeMaps(runs, JudgedRuns::Delivered);
   ASSERT_EQ(maps.size(), 2U);
   EXPECT_EQ(maps[0].confidence, 1.0);
   EXPECT_TRUE(maps[0].right);

@@ -56,7 +56,8 @@ TEST_F(ReportTest, JsonHoldsModelsGroupsCurvesAndConfidence)
   EXPECT_EQ(report["classes"].size(), 3U);
   EXPECT_EQ(report["sets"][0]["correspondence_rate"], 0.75);
   EXPECT_EQ(report["curves"][0]["shares"].size(), report["curves"][0]["thresholds"].size());
-  EXPECT_EQ(report["confidence"]["area_under_roc"], 1.0);
+  EXPECT_EQ(report["confidence"]["all_runs"]["area_under_roc"], 1.0);
+  EXPECT_EQ(report["confidence"]["delivered_maps"]["maps"], 2);
   EXPECT_EQ(report["confidence"]["vertices"].back()["accuracy"], 0.75);
 }
 

@@ -73,11 +73,11 @@ coverageCurve(std::vector<Judgement> judgements, int steps)
 }
 
 std::vector<Judgement>
-judgeMaps(const std::vector<ModelRun>& runs)
+judgeMaps(const std::vector<ModelRun>& runs, JudgedRuns which)
 {
   std::vector<Judgement> judgements;
   for (const ModelRun& run : runs)
-    if (run.score && run.score->map_size > 0)
+    if (run.score && (which == JudgedRuns::All || run.score->map_size > 0))
       judgements.push_back({run.confidence, run.score->isRight()});
   return judgements;
 }

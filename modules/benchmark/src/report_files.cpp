@@ -96,13 +96,22 @@ describeGroup(const GroupSummary& group)
 }
 
 Json
-describeConfidence(const std::vector<ModelRun>& runs)
+describeMapConfidence(const std::vector<Judgement>& maps)
 {
-  const std::vector<Judgement> maps = judgeMaps(runs);
   const std::optional<double> area = areaUnderRoc(maps);
   Json object;
   object["maps"] = maps.size();
+  object["right"] = std::count_if(maps.begin(), maps.end(), [](const Judgement& j) { return j.right; });
   object["area_under_roc"] = area ? Json(*area) : Json();
+  return object;
+}
+
+Json
+describeConfidence(const std::vector<ModelRun>& runs)
+{
+  Json object;
+  object["all_runs"] = describeMapConfidence(judgeMaps(runs, JudgedRuns::All));
+  object["delivered_maps"] = describeMapConfidence(judgeMaps(runs, JudgedRuns::Delivered));
   object["vertices"] = Json::array();
   for (const CoveragePoint& point : coverageCurve(judgeVertices(runs)))
     object["vertices"].push_back({{"coverage", point.coverage}, {"accuracy", point.accuracy}});

@@ -68,6 +68,16 @@ printSteps(std::ostream& out, const ModelRun& run)
     out << indent << "message: " << run.message << '\n';
 }
 
+void
+printMapConfidence(std::ostream& out, const std::string& name, const std::vector<Judgement>& maps)
+{
+  const auto right_maps = std::count_if(maps.begin(), maps.end(), [](const Judgement& j) { return j.right; });
+  const std::optional<double> area = areaUnderRoc(maps);
+  out << "map confidence, " << name << ": " << right_maps << " of " << maps.size()
+      << " right, area under the ROC curve " << (area ? number(*area, 0, 4) : "undefined (none right or none wrong)")
+      << '\n';
+}
+
 } // namespace
 
 void
@@ -114,11 +124,8 @@ printSummaries(std::ostream& out, const std::vector<GroupSummary>& classes, cons
 void
 printConfidence(std::ostream& out, const std::vector<ModelRun>& runs)
 {
-  const std::vector<Judgement> maps = judgeMaps(runs);
-  const auto right_maps = std::count_if(maps.begin(), maps.end(), [](const Judgement& j) { return j.right; });
-  out << "map confidence: " << right_maps << " of " << maps.size() << " maps right, area under the ROC curve ";
-  const std::optional<double> area = areaUnderRoc(maps);
-  out << (area ? number(*area, 0, 4) : "undefined (no right or no wrong map)") << '\n';
+  printMapConfidence(out, "all runs", judgeMaps(runs, JudgedRuns::All));
+  printMapConfidence(out, "delivered maps", judgeMaps(runs, JudgedRuns::Delivered));
 
   const std::vector<CoveragePoint> curve = coverageCurve(judgeVertices(runs), 5);
   if (curve.empty())
