@@ -16,6 +16,7 @@ struct MapScore {
   float displacement = 0.0F; ///< mean d (i, m (i))
   float fixed = 1.0F;        ///< share of hubs that move less than 6 %
   float reversal = 0.0F;     ///< share of the area that is turned over: near 1 for a reflection, 0 for a rotation
+  float curvature = 2.0F;    ///< mean squared difference of the standardized curvatures of a hub and its partner
   float value = 1e9F;
 };
 
@@ -24,11 +25,17 @@ struct ScoreWeights {
   float displacement = 0.5F;
   float reversal = 2.0F;
   float fixed = 3.0F;
+  float curvature = 0.3F;
 };
 
-/** \param[in] queries how many hubs take part in the measure of isometry */
+/** \param[in] descriptor of all samples, for the curvature
+ * \param[in] queries how many hubs take part in the measure of isometry */
 MapScore
-scoreMap(const HubSurface& hubs, const SampleMap& map, std::size_t queries, const ScoreWeights& weights);
+scoreMap(const HubSurface& hubs,
+         const ShapeDescriptor& descriptor,
+         const SampleMap& map,
+         std::size_t queries,
+         const ScoreWeights& weights);
 
 /** \brief Mean distance between the images of two maps, share of the diameter. */
 float

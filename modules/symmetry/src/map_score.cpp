@@ -52,10 +52,26 @@ reversedShare(const HubSurface& hubs, const SampleMap& map)
   return total > 0.0 ? static_cast<float>(0.5 + 0.5 * reversed / total) : 0.5F;
 }
 
+/** Mean squared difference of curvature between partners, in units of its variance over the surface. */
+float
+curvatureError(const ShapeDescriptor& descriptor, const SampleMap& map)
+{
+  const float variance = descriptor.curvature.squaredNorm() / static_cast<float>(descriptor.curvature.rows());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    sum += (descriptor.curvature.row(static_cast<Eigen::Index>(i)) - descriptor.curvature.row(map[i])).squaredNorm();
+  }
+  return variance > 0.0F ? static_cast<float>(sum / static_cast<double>(map.size())) / variance : 0.0F;
+}
+
 } // namespace
 
 MapScore
-scoreMap(const HubSurface& hubs, const SampleMap& map, std::size_t queries, const ScoreWeights& weights)
+scoreMap(const HubSurface& hubs,
+         const ShapeDescriptor& descriptor,
+         const SampleMap& map,
+         std::size_t queries,
+         const ScoreWeights& weights)
 {
   MapScore score;
   score.isometry = isometryError(hubs, map, std::min(queries, map.size()));
@@ -76,6 +92,7 @@ scoreMap(const HubSurface& hubs, const SampleMap& map, std::size_t queries, cons
   score.displacement = static_cast<float>(displacement / count);
   score.fixed = static_cast<float>(static_cast<double>(fixed) / count);
   score.reversal = reversedShare(hubs, map);
+  score.curvature = curvatureError(descriptor, map);
 
   constexpr float floor = 2e-3F;        // sampling noise: no map is better than this
   constexpr float largest_fixed = 0.3F; // a reflection keeps only a curve
@@ -83,7 +100,7 @@ scoreMap(const HubSurface& hubs, const SampleMap& map, std::size_t queries, cons
   score.value = std::log(score.isometry + 0.5F * score.involution + floor) -
                 weights.displacement * std::log(std::min(score.displacement, enough) + floor) +
                 weights.reversal * (1.0F - score.reversal) +
-                weights.fixed * std::max(0.0F, score.fixed - largest_fixed);
+                weights.fixed * std::max(0.0F, score.fixed - largest_fixed) + weights.curvature * score.curvature;
   return score;
 }
 

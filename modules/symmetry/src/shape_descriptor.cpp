@@ -76,7 +76,15 @@ orientationFeature(const CoarseSurface& surface, const Eigen::MatrixXf& coordina
       }
     }
   }
-  return smoothedOnce(surface.graph, feature);
+  feature = smoothedOnce(surface.graph, feature);
+  // A few places with steep gradients must not outweigh all others: rows are brought to similar length, which no
+  // orthogonal action on the coordinates disturbs.
+  const Eigen::VectorXf lengths = feature.rowwise().norm();
+  const float typical = lengths.mean();
+  if (typical > 0.0F) {
+    feature = (lengths.array() + 0.3F * typical).inverse().matrix().asDiagonal() * feature;
+  }
+  return feature;
 }
 
 /** Height of each sample over the surface smoothed by 2, 6 and 16 rounds of area-weighted averaging. */

@@ -49,32 +49,115 @@ tryHypotheses(const std::vector<SymmetryHypothesis>& hypotheses,
     candidate.source = hypotheses[i].source;
     candidate.matrix = hypotheses[i].action;
     candidate.map = nearestRows(descriptor.mirrored(hypotheses[i].action, queries), all);
-    candidate.score = scoreMap(hubs, candidate.map, candidate.map.size(), settings.score);
+    candidate.score = scoreMap(hubs, descriptor, candidate.map, candidate.map.size(), settings.score);
   });
   return candidates;
 }
 
-void
-refineCandidates(std::vector<SymmetryCandidate>& candidates,
-                 const CoarseSurface& surface,
-                 const ShapeDescriptor& descriptor,
-                 const LaplacianBasis& basis,
-                 const HubSurface& hubs,
-                 const SearchSettings& settings,
-                 unsigned threads)
+/** Brings candidates up through the eigenfunctions; what it needs to do so is prepared once. */
+class CandidateRefinement {
+public:
+  CandidateRefinement(const CoarseSurface& surface,
+                      const ShapeDescriptor& descriptor,
+                      const LaplacianBasis& basis,
+                      const HubSurface& hubs,
+                      const SearchSettings& settings)
+      : descriptor_(descriptor),
+        hubs_(hubs),
+        settings_(settings),
+        guide_(describeShape(surface, basis, settings.guide_dimensions, guideWeights(settings))),
+        targets_(descriptor.joined(count())),
+        refinement_(basis.functions, guide_, count(), settings.levels, settings.guidance)
+  {
+  }
+
+  /** From the action of a hypothesis. */
+  void
+  refine(SymmetryCandidate& candidate) const
+  {
+    candidate.map = nearestRows(descriptor_.mirrored(candidate.matrix, count()), targets_);
+    finish(candidate);
+  }
+
+  /** Derives the whole map anew from the part of it that is surely a reflection: from the distances to the hubs that
+   * move far and come back. Turns a partial reflection (one pair of limbs swapped, the rest standing still) into a
+   * whole one. */
+  SymmetryCandidate
+  repaired(const SymmetryCandidate& candidate) const
+  {
+    const std::vector<Index> anchors = reflectedHubs(candidate.map);
+    Eigen::MatrixXf from(count(), static_cast<Eigen::Index>(anchors.size()));
+    Eigen::MatrixXf to(from.rows(), from.cols());
+    for (std::size_t k = 0; k < anchors.size(); ++k) {
+      from.col(static_cast<Eigen::Index>(k)) = hubs_.distances.col(anchors[k]);
+      to.col(static_cast<Eigen::Index>(k)) = hubs_.distances.col(candidate.map[anchors[k]]);
+    }
+    SymmetryCandidate result;
+    result.source = candidate.source;
+    result.map = nearestRows(from, to);
+    finish(result);
+    return result;
+  }
+
+private:
+  static DescriptorWeights
+  guideWeights(const SearchSettings& settings)
+  {
+    DescriptorWeights weights = settings.descriptor;
+    weights.oriented_dimensions = settings.guide_dimensions;
+    return weights;
+  }
+
+  Eigen::Index
+  count() const
+  {
+    return static_cast<Eigen::Index>(hubs_.size());
+  }
+
+  void
+  finish(SymmetryCandidate& candidate) const
+  {
+    candidate.matrix = refinement_.refine(candidate.map);
+    candidate.score = scoreMap(hubs_, descriptor_, candidate.map, settings_.coarse_targets, settings_.score);
+  }
+
+  std::vector<Index>
+  reflectedHubs(const SampleMap& map) const
+  {
+    constexpr float far = 0.15F;
+    constexpr float near = 0.04F;
+    constexpr std::size_t most = 60;
+    std::vector<Index> anchors;
+    for (std::size_t i = 0; i < map.size() && anchors.size() < most; ++i) {
+      const auto hub = static_cast<Eigen::Index>(i);
+      if (hubs_.distances(hub, map[i]) > far * hubs_.diameter &&
+          hubs_.distances(hub, map[static_cast<std::size_t>(map[i])]) < near * hubs_.diameter) {
+        anchors.push_back(static_cast<Index>(i));
+      }
+    }
+    return anchors;
+  }
+
+  const ShapeDescriptor& descriptor_;
+  const HubSurface& hubs_;
+  const SearchSettings& settings_;
+  ShapeDescriptor guide_;
+  Eigen::MatrixXf targets_;
+  UpwardRefinement refinement_;
+};
+
+std::vector<SymmetryHypothesis>
+makeHypotheses(const HubSurface& hubs, const LaplacianBasis& basis, int dimensions, const SearchSettings& settings)
 {
-  const auto count = static_cast<Eigen::Index>(hubs.size());
-  const Eigen::MatrixXf all = descriptor.joined(count);
-  DescriptorWeights guide_weights = settings.descriptor;
-  guide_weights.oriented_dimensions = settings.guide_dimensions;
-  const ShapeDescriptor guide = describeShape(surface, basis, settings.guide_dimensions, guide_weights);
-  const UpwardRefinement refinement(basis.functions, guide, count, settings.levels, settings.guidance);
-  parallelFor(candidates.size(), threads, [&](std::size_t i) {
-    SymmetryCandidate& candidate = candidates[i];
-    candidate.map = nearestRows(descriptor.mirrored(candidate.matrix, count), all);
-    candidate.matrix = refinement.refine(candidate.map);
-    candidate.score = scoreMap(hubs, candidate.map, settings.coarse_targets, settings.score);
-  });
+  std::vector<SymmetryHypothesis> hypotheses;
+  if (settings.sign_patterns) {
+    hypotheses = signPatternHypotheses(dimensions);
+  }
+  if (settings.pairings > 0) {
+    const std::vector<SymmetryHypothesis> more = extremityHypotheses(hubs, basis, dimensions, settings.pairings);
+    hypotheses.insert(hypotheses.end(), more.begin(), more.end());
+  }
+  return hypotheses;
 }
 
 } // namespace
@@ -88,19 +171,21 @@ searchSymmetries(const CoarseSurface& surface,
 {
   const ShapeDescriptor descriptor = describeShape(surface, basis, settings.dimensions, settings.descriptor);
   const auto dimensions = static_cast<int>(descriptor.spectral.cols());
-  std::vector<SymmetryHypothesis> hypotheses;
-  if (settings.sign_patterns) {
-    hypotheses = signPatternHypotheses(dimensions);
-  }
-  if (settings.pairings > 0) {
-    const std::vector<SymmetryHypothesis> more = extremityHypotheses(hubs, basis, dimensions, settings.pairings);
-    hypotheses.insert(hypotheses.end(), more.begin(), more.end());
-  }
-
-  std::vector<SymmetryCandidate> candidates = tryHypotheses(hypotheses, descriptor, hubs, settings, threads);
+  std::vector<SymmetryCandidate> candidates =
+      tryHypotheses(makeHypotheses(hubs, basis, dimensions, settings), descriptor, hubs, settings, threads);
   sortByScore(candidates);
   candidates = keepDistinct(std::move(candidates), hubs, settings.distinct, settings.refined);
-  refineCandidates(candidates, surface, descriptor, basis, hubs, settings, threads);
+
+  const CandidateRefinement refinement(surface, descriptor, basis, hubs, settings);
+  parallelFor(candidates.size(), threads, [&](std::size_t i) { refinement.refine(candidates[i]); });
+  sortByScore(candidates);
+  candidates = keepDistinct(std::move(candidates), hubs, settings.distinct, settings.refined);
+
+  const std::size_t repaired = std::min(settings.repaired, candidates.size());
+  candidates.resize(candidates.size() + repaired);
+  parallelFor(repaired, threads, [&](std::size_t i) {
+    candidates[candidates.size() - repaired + i] = refinement.repaired(candidates[i]);
+  });
   sortByScore(candidates);
   return keepDistinct(std::move(candidates), hubs, settings.distinct, settings.refined);
 }
