@@ -84,7 +84,9 @@ deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, Symme
   const std::vector<float> side_function = absorbSpecks(prepared.graph, estimate.side_function);
   const std::vector<Side> sides = labelSides(prepared.graph, side_function);
   to_input.scatter(sides, result.sides);
-  for (Polyline& line : traceAxis(prepared.graph, prepared.triangles, side_function, sides)) {
+  // The triangles of a cloud are no manifold to trace a line through; its graph will do.
+  const std::vector<Triangle> faces = prepared.is_cloud ? std::vector<Triangle>{} : prepared.triangles;
+  for (Polyline& line : traceAxis(prepared.graph, faces, side_function, sides)) {
     line.points = to_input.renumbered(std::move(line.points));
     result.axis.push_back(std::move(line));
   }

@@ -1,5 +1,6 @@
 #include "symmetry/prepared_surface.h"
 
+#include "cloud/cloud_surface.h"
 #include "geodesic/vector_math.h"
 
 #include <algorithm>
@@ -75,14 +76,20 @@ normalizeScale(PreparedSurface& surface)
   surface.scale = static_cast<float>(scale);
 }
 
-SurfaceGraph
-buildSurfaceGraph(const PreparedSurface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
+/** Graph, normals and triangles of a cloud, which has none of them. */
+void
+reconstructCloud(PreparedSurface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
 {
-  if (!surface.triangles.empty()) {
-    return buildMeshGraph(surface.points, surface.triangles);
+  if (parameters.normals == NormalSource::Estimate) {
+    surface.normals.clear();
   }
-  return buildNeighbourGraph(surface.points, search(surface.points, parameters.k_search),
-                             parameters.radius * surface.scale);
+  CloudSurface cloud = buildCloudSurface(surface.points, search(surface.points, parameters.k_search), surface.normals,
+                                         parameters.radius * surface.scale, parameters.threads);
+  surface.graph = std::move(cloud.graph);
+  surface.normals = std::move(cloud.normals);
+  surface.triangles = std::move(cloud.triangles);
+  surface.summary.bridges = cloud.bridges;
+  surface.summary.distrusted_edges = cloud.distrusted_edges;
 }
 
 /** Restricts the surface to the largest component of its graph. */
@@ -151,6 +158,8 @@ prepareSurface(const Surface& surface, const SymmetryParameters& parameters, con
   PreparedSurface prepared;
   prepared.points = surface.points;
   prepared.triangles = surface.triangles;
+  prepared.normals = surface.normals;
+  prepared.is_cloud = !surface.hasFaces();
   prepared.original.resize(surface.size());
   for (std::size_t v = 0; v < surface.size(); ++v) {
     prepared.original[v] = static_cast<Index>(v);
@@ -161,11 +170,14 @@ prepareSurface(const Surface& surface, const SymmetryParameters& parameters, con
   dropNonFinitePoints(prepared);
   dropDegenerateTriangles(prepared.triangles);
   normalizeScale(prepared);
-  prepared.graph = buildSurfaceGraph(prepared, parameters, search);
-  keepLargestComponent(prepared);
-  if (!prepared.triangles.empty()) {
-    prepared.normals = vertexNormals(prepared.points, prepared.triangles);
+  if (prepared.is_cloud) {
+    reconstructCloud(prepared, parameters, search);
   }
+  else {
+    prepared.normals = vertexNormals(prepared.points, prepared.triangles);
+    prepared.graph = buildMeshGraph(prepared.points, prepared.triangles);
+  }
+  keepLargestComponent(prepared);
   prepared.summary.used = prepared.size();
   return prepared;
 }

@@ -1,0 +1,41 @@
+/** \file
+ * \brief From a point cloud to a surface: a graph that resists shortcuts between parts in contact, normals, triangles.
+ */
+#pragma once
+
+#include "geodesic/neighbour_graph.h"
+#include "geodesic/surface_graph.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief What a mesh has and a cloud has not. */
+struct CloudSurface {
+  SurfaceGraph graph;
+  std::vector<Vector3> normals; ///< unit length, consistently oriented
+  std::vector<Triangle> triangles;
+  std::size_t distrusted_edges = 0; ///< edges left out as shortcuts
+  std::size_t bridges = 0;          ///< edges put in to join what fell apart without them
+};
+
+/** \brief Builds graph, normals and triangles of a cloud.
+ *
+ * An edge of the k-nearest-neighbour graph is distrusted where it runs along a normal instead of along the surface
+ * (it leads to another part in contact), or where the oriented normals at its ends oppose. Parts that the plain
+ * graph joins and the remaining one does not are joined again by their shortest distrusted edges.
+ * \param[in] points all finite
+ * \param[in] lists k nearest neighbours
+ * \param[in] given_normals used instead of estimated ones; their orientation is trusted; may be empty
+ * \param[in] radius longest edge, 0: no limit
+ */
+CloudSurface
+buildCloudSurface(const std::vector<Vector3>& points,
+                  const NeighbourLists& lists,
+                  const std::vector<Vector3>& given_normals,
+                  float radius,
+                  unsigned threads);
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,153 @@
+#include "cloud/cloud_surface.h"
+
+#include "cloud/cloud_normals.h"
+#include "cloud/local_delaunay.h"
+#include "geodesic/vector_math.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Every edge of a graph once. */
+std::vector<GraphEdge>
+edgesOf(const SurfaceGraph& graph)
+{
+  std::vector<GraphEdge> edges;
+  edges.reserve(graph.neighbours.size() / 2);
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
+      if (static_cast<std::size_t>(graph.neighbours[e]) > v) {
+        edges.push_back({static_cast<Index>(v), graph.neighbours[e], graph.lengths[e]});
+      }
+    }
+  }
+  return edges;
+}
+
+/** Median length of the edges at each point: the local spacing. */
+std::vector<float>
+localSpacing(const SurfaceGraph& graph)
+{
+  std::vector<float> spacing(graph.size(), 0.0F);
+  std::vector<float> lengths;
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    lengths.assign(graph.lengths.begin() + graph.offsets[v], graph.lengths.begin() + graph.offsets[v + 1]);
+    if (!lengths.empty()) {
+      const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+      std::nth_element(lengths.begin(), middle, lengths.end());
+      spacing[v] = *middle;
+    }
+  }
+  return spacing;
+}
+
+/** Disjoint sets of points. */
+class UnionFind {
+public:
+  explicit UnionFind(std::size_t n) : parent_(n)
+  {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  Index
+  find(Index v)
+  {
+    while (parent_[v] != v) {
+      parent_[v] = parent_[parent_[v]];
+      v = parent_[v];
+    }
+    return v;
+  }
+
+  /** True where a and b were in different sets. */
+  bool
+  join(Index a, Index b)
+  {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+private:
+  std::vector<Index> parent_;
+};
+
+/** Splits edges into trusted and distrusted ones. */
+template <typename IsShortcut>
+void
+separateEdges(std::vector<GraphEdge>& trusted, std::vector<GraphEdge>& distrusted, IsShortcut is_shortcut)
+{
+  const auto first_bad =
+      std::stable_partition(trusted.begin(), trusted.end(), [&](const GraphEdge& edge) { return !is_shortcut(edge); });
+  distrusted.insert(distrusted.end(), first_bad, trusted.end());
+  trusted.erase(first_bad, trusted.end());
+}
+
+/** Puts back the shortest distrusted edges between parts that the trusted ones do not join; the number of them. */
+std::size_t
+bridgeParts(std::size_t n, std::vector<GraphEdge>& trusted, std::vector<GraphEdge> distrusted)
+{
+  UnionFind parts(n);
+  for (const GraphEdge& edge : trusted) {
+    parts.join(edge.a, edge.b);
+  }
+  std::stable_sort(distrusted.begin(), distrusted.end(),
+                   [](const GraphEdge& x, const GraphEdge& y) { return x.length < y.length; });
+  std::size_t bridges = 0;
+  for (const GraphEdge& edge : distrusted) {
+    if (parts.join(edge.a, edge.b)) {
+      trusted.push_back(edge);
+      ++bridges;
+    }
+  }
+  return bridges;
+}
+
+} // namespace
+
+CloudSurface
+buildCloudSurface(const std::vector<Vector3>& points,
+                  const NeighbourLists& lists,
+                  const std::vector<Vector3>& given_normals,
+                  float radius,
+                  unsigned threads)
+{
+  const SurfaceGraph plain = buildNeighbourGraph(points, lists, radius);
+  const std::vector<float> spacing = localSpacing(plain);
+  CloudSurface cloud;
+  cloud.normals = given_normals.empty() ? estimateNormals(points, lists, threads) : given_normals;
+
+  std::vector<GraphEdge> trusted = edgesOf(plain);
+  std::vector<GraphEdge> distrusted;
+  separateEdges(trusted, distrusted, [&](const GraphEdge& edge) {
+    constexpr float steep = 0.7F;
+    constexpr float short_edge = 0.5F; // noise may well point along the normal within the spacing
+    const Vector3 direction = normalized(points[edge.b] - points[edge.a]);
+    const float along =
+        std::max(std::abs(dot(direction, cloud.normals[edge.a])), std::abs(dot(direction, cloud.normals[edge.b])));
+    return along > steep && edge.length > short_edge * std::min(spacing[edge.a], spacing[edge.b]);
+  });
+  if (given_normals.empty()) {
+    std::vector<GraphEdge> whole = trusted;
+    bridgeParts(points.size(), whole, distrusted);
+    orientNormals(points, buildGraph(points.size(), whole), cloud.normals);
+  }
+  separateEdges(trusted, distrusted, [&](const GraphEdge& edge) {
+    constexpr float opposing = -0.3F;
+    return dot(cloud.normals[edge.a], cloud.normals[edge.b]) < opposing;
+  });
+
+  cloud.triangles = localDelaunayTriangles(points, cloud.normals, buildGraph(points.size(), trusted), threads);
+  cloud.bridges = bridgeParts(points.size(), trusted, distrusted);
+  cloud.distrusted_edges = distrusted.size() - cloud.bridges;
+  cloud.graph = buildGraph(points.size(), trusted);
+  return cloud;
+}
+
+} // namespace symmetry
+} // namespace pcl
