@@ -7,84 +7,82 @@
 #include <pcl/symmetry/symmetry_result.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace consumer {
 
-constexpr int rings = 48;
-constexpr int ring_size = 96;
-
 /** \brief A bump of the egg: where it points, how far it stands out, how narrow it is. */
 struct Bump {
-  std::array<double, 3> direction;
-  double height;
-  double narrowness;
+  pcl::symmetry::Vector3 direction;
+  float height;
+  float narrowness;
 };
 
 inline const std::vector<Bump>&
 bumps()
 {
-  static const std::vector<Bump> all{{{0.94, 0.0, 0.34}, 1.6, 40.0},                                 // arms
-                                     {{-0.94, 0.0, 0.34}, 1.6, 40.0},                                //
-                                     {{0.42, 0.0, -0.91}, 1.9, 40.0},                                // legs
-                                     {{-0.42, 0.0, -0.91}, 1.9, 40.0}, {{0.0, 0.0, 1.0}, 0.7, 12.0}, // head
-                                     {{0.0, 0.87, 0.5}, 0.3, 40.0}};                                 // nose
-  return all;
+  static const std::vector<Bump> arms_legs_head_nose{
+      {{0.94F, 0.0F, 0.34F}, 1.6F, 40.0F},   {{-0.94F, 0.0F, 0.34F}, 1.6F, 40.0F}, {{0.42F, 0.0F, -0.91F}, 1.9F, 40.0F},
+      {{-0.42F, 0.0F, -0.91F}, 1.9F, 40.0F}, {{0.0F, 0.0F, 1.0F}, 0.7F, 12.0F},    {{0.0F, 0.87F, 0.5F}, 0.3F, 40.0F},
+  };
+  return arms_legs_head_nose;
 }
 
-inline double
-radius(const std::array<double, 3>& direction)
+inline float
+radius(const pcl::symmetry::Vector3& direction)
 {
-  double sum = 1.0;
+  float sum = 1.0F;
   for (const Bump& bump : bumps()) {
-    double cosine = 0.0;
+    float cosine = 0.0F;
     for (std::size_t k = 0; k < 3; ++k)
       cosine += direction[k] * bump.direction[k];
-    sum += bump.height * std::exp(bump.narrowness * (cosine - 1.0));
+    sum += bump.height * std::exp(bump.narrowness * (cosine - 1.0F));
   }
   return sum;
 }
 
-/** \brief Number of the point at \a column of \a ring; columns count on around the ring. */
-inline pcl::symmetry::Index
-pointIndex(int ring, int column)
+/** \brief Divides every triangle of a unit sphere into four. */
+inline void
+refineSphere(pcl::symmetry::Surface& sphere)
 {
-  return 1 + ring * ring_size + (column + ring_size) % ring_size;
+  std::map<std::pair<pcl::symmetry::Index, pcl::symmetry::Index>, pcl::symmetry::Index> middles;
+  const auto middle = [&](pcl::symmetry::Index a, pcl::symmetry::Index b) {
+    const auto [entry, added] =
+        middles.try_emplace(std::minmax(a, b), static_cast<pcl::symmetry::Index>(sphere.points.size()));
+    if (added) {
+      const auto& p = sphere.points[static_cast<std::size_t>(a)];
+      const auto& q = sphere.points[static_cast<std::size_t>(b)];
+      const float length = std::hypot(p[0] + q[0], p[1] + q[1], p[2] + q[2]);
+      sphere.points.push_back({(p[0] + q[0]) / length, (p[1] + q[1]) / length, (p[2] + q[2]) / length});
+    }
+    return entry->second;
+  };
+  std::vector<pcl::symmetry::Triangle> triangles;
+  for (const auto& [a, b, c] : sphere.triangles) {
+    const auto ab = middle(a, b);
+    const auto bc = middle(b, c);
+    const auto ca = middle(c, a);
+    triangles.insert(triangles.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
+  }
+  sphere.triangles = std::move(triangles);
 }
 
-inline pcl::symmetry::Vector3
-point(double polar, double azimuth)
-{
-  const std::array<double, 3> direction{std::sin(polar) * std::sin(azimuth), std::sin(polar) * std::cos(azimuth),
-                                        std::cos(polar)};
-  const double r = radius(direction);
-  return {static_cast<float>(r * direction[0]), static_cast<float>(0.6 * r * direction[1]),
-          static_cast<float>(r * direction[2])};
-}
-
-/** \brief Pole, rings from top to bottom, pole. */
+/** \brief A sphere from an octahedron, each of its points moved out to the egg and its bumps. */
 inline pcl::symmetry::Surface
 makeBody()
 {
-  const double pi = std::acos(-1.0);
   pcl::symmetry::Surface body;
-  body.points.push_back(point(0.0, 0.0));
-  for (int ring = 0; ring < rings; ++ring)
-    for (int column = 0; column < ring_size; ++column)
-      body.points.push_back(point(pi * (ring + 1) / (rings + 1), 2.0 * pi * column / ring_size));
-  body.points.push_back(point(pi, 0.0));
-  const auto last = static_cast<pcl::symmetry::Index>(body.points.size() - 1);
-  for (int column = 0; column < ring_size; ++column) {
-    body.triangles.push_back({0, pointIndex(0, column + 1), pointIndex(0, column)});
-    for (int ring = 0; ring + 1 < rings; ++ring) {
-      body.triangles.push_back({pointIndex(ring, column), pointIndex(ring, column + 1), pointIndex(ring + 1, column)});
-      body.triangles.push_back(
-          {pointIndex(ring, column + 1), pointIndex(ring + 1, column + 1), pointIndex(ring + 1, column)});
-    }
-    body.triangles.push_back({pointIndex(rings - 1, column), pointIndex(rings - 1, column + 1), last});
+  body.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  body.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  for (int level = 0; level < 5; ++level)
+    refineSphere(body);
+  for (auto& point : body.points) {
+    const float r = radius(point);
+    point = {r * point[0], 0.6F * r * point[1], r * point[2]};
   }
   return body;
 }
