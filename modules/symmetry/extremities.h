@@ -58,8 +58,9 @@ struct ExtremePairs {
 /** \brief Pairs four extreme points.
  *
  * As published, the two smallest in the feature are partners and so are the two largest. Where that is not clear (the
- * step between the pairs is smaller than one within a pair) those are partners whose distances to the landmarks are
- * distributed alike: AGD is the mean of this distribution, and different ones may have the same mean.
+ * step between the pairs is smaller than one within a pair or than 5 % of the feature) those are partners whose
+ * distances to the landmarks are distributed alike: AGD is the mean of this distribution, and different ones may have
+ * the same mean.
  *
  * Which of the second pair lies on the side of h1 is decided by the distances on the surface: the paper compares
  * d(h1, f1) with d(h1, f2); here the sums over both sides are compared, which differ by more when one limb is bent.

@@ -164,6 +164,22 @@ TEST(PairExtremePoints, LooksAtTheDistributionWhereTheMeansAreNotClear)
             (std::set<std::set<Index>>{{figure.left_hand, figure.right_hand}, {figure.left_foot, figure.right_foot}}));
 }
 
+TEST(PairExtremePoints, LooksAtTheDistributionWhereTheMeansDifferByAPoseOnly)
+{
+  // A step in the middle, but of 1 %: arms as long as legs.
+  const StickFigure figure = stickFigure(7, 9);
+  std::vector<float> feature(figure.graph.size(), 0.0F);
+  feature[figure.left_hand] = 1.000F;
+  feature[figure.left_foot] = 1.002F;
+  feature[figure.right_hand] = 1.012F;
+  feature[figure.right_foot] = 1.015F;
+  const ExtremePairs pairs =
+      pairExtremePoints({figure.left_hand, figure.left_foot, figure.right_hand, figure.right_foot}, feature,
+                        GeodesicMetric(figure.graph), {0, 2, 5, 12, 15}, 1);
+  EXPECT_EQ(partners(pairs),
+            (std::set<std::set<Index>>{{figure.left_hand, figure.right_hand}, {figure.left_foot, figure.right_foot}}));
+}
+
 TEST(PairExtremePoints, PutsTheNearerOnesOnOneSide)
 {
   // A rectangle with corners 0, 1 (left) and 2, 3 (right); the feature makes partners of the upper and of the lower.

@@ -12,6 +12,7 @@ namespace symmetry {
 namespace {
 
 constexpr int smoothing_rounds = 1;
+constexpr float clear_step_share = 0.05F;              // poses change AGD by 1 to 3 %
 constexpr std::size_t points_of_large_surface = 30000; // the paper's limit between AGD and MGD
 
 Index
@@ -152,14 +153,12 @@ pairExtremePoints(const std::array<Index, 4>& points,
             [&feature](Index a, Index b) { return feature[a] != feature[b] ? feature[a] < feature[b] : a < b; });
   const DistanceFields fields = metric.fields({sorted.begin(), sorted.end()}, threads);
 
-  std::array<std::size_t, 4> order = {0, 1, 2, 3};
+  const float smallest_step = clear_step_share * feature[sorted.back()];
   const auto step = [&](std::size_t i) {
     return feature[sorted[i + 1]] - feature[sorted[i]];
   };
-  if (step(1) < std::max(step(0), step(2))) {
-    order = groupByDistribution(fields, landmarks);
-  }
-  const auto [h1, h2, f1, f2] = order;
+  const bool clear = step(1) >= std::max({step(0), step(2), smallest_step});
+  const auto [h1, h2, f1, f2] = clear ? std::array<std::size_t, 4>{0, 1, 2, 3} : groupByDistribution(fields, landmarks);
   const float straight = fields.row(h1)[sorted[f1]] + fields.row(h2)[sorted[f2]];
   const float across = fields.row(h1)[sorted[f2]] + fields.row(h2)[sorted[f1]];
   ExtremePairs pairs{sorted[h1], sorted[h2], sorted[f1], sorted[f2]};
