@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
+#include <vector>
 
 namespace pcl {
 namespace symmetry {
@@ -75,24 +75,25 @@ correspondenceRate(const std::vector<double>& errors)
   return static_cast<double>(right) / static_cast<double>(errors.size());
 }
 
-/** \brief Share of the vertices off the true axis whose side is not that of their true partner. Vertices that are
- * labelled as the axis count as wrong only where they are further from it than \a margin. */
+/** \brief Share of the vertices whose true partner is on the other side, of those that are off the true axis and not
+ * labelled as the axis, nor their partners. */
 inline double
 shareOnOppositeSides(const Model& model, const std::vector<Side>& sides)
 {
+  const auto is_sided = [&](Index v) {
+    return sides[v] == Side::Source || sides[v] == Side::Target;
+  };
   std::size_t opposite = 0;
   std::size_t all = 0;
   for (std::size_t v = 0; v < model.partners.size(); ++v) {
     const Index partner = model.partners[v];
-    if (partner == no_index || partner == static_cast<Index>(v)) {
-      continue;
+    if (partner != no_index && partner != static_cast<Index>(v) && is_sided(static_cast<Index>(v)) &&
+        is_sided(partner)) {
+      ++all;
+      opposite += sides[v] != sides[partner] ? 1U : 0U;
     }
-    ++all;
-    const bool is_pair = (sides[v] == Side::Source && sides[partner] == Side::Target) ||
-                         (sides[v] == Side::Target && sides[partner] == Side::Source);
-    opposite += is_pair ? 1U : 0U;
   }
-  return static_cast<double>(opposite) / static_cast<double>(all);
+  return all == 0 ? 0.0 : static_cast<double>(opposite) / static_cast<double>(all);
 }
 
 /** \brief The vertices that are their own partners. */
