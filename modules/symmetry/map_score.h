@@ -17,6 +17,7 @@ struct MapScore {
   float fixed = 1.0F;        ///< share of hubs that move less than 6 %
   float reversal = 0.0F;     ///< share of the area that is turned over: near 1 for a reflection, 0 for a rotation
   float curvature = 2.0F;    ///< mean squared difference of the standardized curvatures of a hub and its partner
+  float distorted = 1.0F;    ///< share of hubs whose distances to the others change by more than 8 % on average
   float value = 1e9F;
 };
 

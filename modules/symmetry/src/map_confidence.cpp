@@ -9,7 +9,7 @@ namespace symmetry {
 float
 reflectionConfidence(const MapScore& score)
 {
-  constexpr float even = -1.6F; // score at which right and wrong are equally likely
+  constexpr float even = -1.2F; // score at which right and wrong are equally likely
   constexpr float slope = 5.0F;
   return 1.0F / (1.0F + std::exp(slope * (score.value - even)));
 }
@@ -17,7 +17,11 @@ reflectionConfidence(const MapScore& score)
 bool
 isReflection(const MapScore& score)
 {
-  return reflectionConfidence(score) >= 0.5F && score.reversal >= 0.5F;
+  constexpr float least_reversal = 0.4F; // thin limbs hold hardly a triangle whose orientation can be told
+  constexpr float largest_curvature = 0.9F;
+  constexpr float most_distorted = 0.25F;
+  return reflectionConfidence(score) >= 0.5F && score.reversal >= least_reversal &&
+         score.curvature <= largest_curvature && score.distorted <= most_distorted;
 }
 
 std::vector<float>

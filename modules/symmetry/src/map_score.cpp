@@ -9,21 +9,33 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-/** Mean |d (i, j) - d (m (i), m (j))| over the first \a queries hubs. */
+/** Mean |d (i, j) - d (m (i), m (j))| over the first \a queries hubs j, share of the diameter. */
 float
-isometryError(const HubSurface& hubs, const SampleMap& map, std::size_t queries)
+distanceChange(const HubSurface& hubs, const SampleMap& map, std::size_t i, std::size_t queries)
 {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < queries; ++i) {
-    float row = 0.0F;
-    const float* from = hubs.distances.col(static_cast<Eigen::Index>(i)).data();
-    const float* to = hubs.distances.col(map[i]).data();
-    for (std::size_t j = 0; j < queries; ++j) {
-      row += std::abs(from[j] - to[map[j]]);
-    }
-    sum += row;
+  float sum = 0.0F;
+  const float* from = hubs.distances.col(static_cast<Eigen::Index>(i)).data();
+  const float* to = hubs.distances.col(map[i]).data();
+  for (std::size_t j = 0; j < queries; ++j) {
+    sum += std::abs(from[j] - to[map[j]]);
   }
-  return static_cast<float>(sum / static_cast<double>(queries * queries)) / hubs.diameter;
+  return sum / (static_cast<float>(queries) * hubs.diameter);
+}
+
+/** Fills in the measures of isometry. */
+void
+measureIsometry(const HubSurface& hubs, const SampleMap& map, std::size_t queries, MapScore& score)
+{
+  constexpr float much = 0.08F;
+  double sum = 0.0;
+  std::size_t distorted = 0;
+  for (std::size_t i = 0; i < queries; ++i) {
+    const float change = distanceChange(hubs, map, i, queries);
+    sum += change;
+    distorted += change > much ? 1U : 0U;
+  }
+  score.isometry = static_cast<float>(sum / static_cast<double>(queries));
+  score.distorted = static_cast<float>(distorted) / static_cast<float>(queries);
 }
 
 /** Area of the triangles that the map turns over, as a share of the area of all: an image counts by its own area, at
@@ -74,7 +86,7 @@ scoreMap(const HubSurface& hubs,
          const ScoreWeights& weights)
 {
   MapScore score;
-  score.isometry = isometryError(hubs, map, std::min(queries, map.size()));
+  measureIsometry(hubs, map, std::min(queries, map.size()), score);
   double involution = 0.0;
   double displacement = 0.0;
   std::size_t fixed = 0;
