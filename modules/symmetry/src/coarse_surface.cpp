@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl {
 namespace symmetry {
@@ -108,7 +109,7 @@ lowestFirst(Triangle t)
 }
 
 /** Area of each cell as a share of the whole; a third of every triangle goes to each of its corners' cells. Without
- * triangles every point counts the same. */
+ * triangles, or with all of them flat, every point counts the same. */
 std::vector<float>
 cellAreas(const PreparedSurface& surface, const FarthestPointSamples& cells)
 {
@@ -120,9 +121,12 @@ cellAreas(const PreparedSurface& surface, const FarthestPointSamples& cells)
       areas[cells.owner[v]] += area;
     }
   }
-  double total = 0.0;
-  for (const double area : areas) {
-    total += area;
+  double total = std::accumulate(areas.begin(), areas.end(), 0.0);
+  if (!(total > 0.0)) {
+    for (const Index owner : cells.owner) {
+      areas[owner] += 1.0;
+    }
+    total = static_cast<double>(cells.owner.size());
   }
   std::vector<float> shares(areas.size());
   for (std::size_t i = 0; i < areas.size(); ++i) {
