@@ -42,15 +42,21 @@ cloudOf(const std::vector<Vector3>& points)
   return cloud;
 }
 
+pcl::Vertices
+polygon(const pcl::Indices& corners)
+{
+  pcl::Vertices polygon;
+  polygon.vertices = corners;
+  return polygon;
+}
+
 pcl::PolygonMesh::Ptr
 meshOf(const Surface& surface)
 {
   const auto mesh = pcl::make_shared<pcl::PolygonMesh>();
   pcl::toPCLPointCloud2(*cloudOf<pcl::PointXYZ>(surface.points), mesh->cloud);
   for (const Triangle& t : surface.triangles) {
-    pcl::Vertices face;
-    face.vertices.assign(t.begin(), t.end());
-    mesh->polygons.push_back(face);
+    mesh->polygons.push_back(polygon({t[0], t[1], t[2]}));
   }
   return mesh;
 }
@@ -385,9 +391,7 @@ TEST(IntrinsicSymmetryEstimation, PolygonsAreTriangulatedAsFans)
           const Triangle& s = triangles[i];
           const Triangle& t = triangles[j];
           if (s[a] == t[(b + 1) % 3] && s[(a + 1) % 3] == t[b]) {
-            pcl::Vertices quad;
-            quad.vertices = {s[(a + 1) % 3], s[(a + 2) % 3], s[a], t[(b + 2) % 3]};
-            mesh->polygons.push_back(quad);
+            mesh->polygons.push_back(polygon({s[(a + 1) % 3], s[(a + 2) % 3], s[a], t[(b + 2) % 3]}));
             used[i] = used[j] = 1;
             ++quads;
           }
@@ -395,15 +399,11 @@ TEST(IntrinsicSymmetryEstimation, PolygonsAreTriangulatedAsFans)
       }
     }
     if (used[i] == 0) {
-      pcl::Vertices face;
-      face.vertices.assign(triangles[i].begin(), triangles[i].end());
-      mesh->polygons.push_back(face);
+      mesh->polygons.push_back(polygon({triangles[i][0], triangles[i][1], triangles[i][2]}));
     }
   }
   ASSERT_GT(quads, triangles.size() / 8);
-  pcl::Vertices line;
-  line.vertices = {0, 1};
-  mesh->polygons.push_back(line); // encloses nothing
+  mesh->polygons.push_back(polygon({0, 1})); // encloses nothing
   const pcl::IntrinsicSymmetryResult result = compute(mesh);
   ASSERT_EQ(result.status, SymmetryStatus::Symmetric);
   EXPECT_EQ(result.input.faces, triangles.size());
