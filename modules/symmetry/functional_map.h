@@ -39,15 +39,18 @@ nearestInvolution(const Eigen::MatrixXf& matrix);
 class UpwardRefinement {
 public:
   /** \param[in] functions samples x k eigenfunctions
-   * \param[in] descriptor of all samples
+   * \param[in] descriptor of all samples; referred to, not copied
    * \param[in] samples how many samples (the first ones) take part
    * \param[in] dimensions numbers of functions to go through, rising
-   * \param[in] guidance weight of the descriptor's local parts against the eigenfunctions, 0: none */
+   * \param[in] guidance weight of the descriptor's local parts against the eigenfunctions */
   UpwardRefinement(const Eigen::MatrixXf& functions,
                    const ShapeDescriptor& descriptor,
                    Eigen::Index samples,
                    const std::vector<int>& dimensions,
                    float guidance);
+
+  /** \brief Without guidance. */
+  UpwardRefinement(const Eigen::MatrixXf& functions, Eigen::Index samples, const std::vector<int>& dimensions);
 
   /** \brief For each number of functions: the matrix of the map, made an involution, and the map of that matrix.
    * \param[in,out] map partner of each sample that takes part, among them
@@ -66,7 +69,7 @@ private:
   SampleMap
   match(const Level& level, const Eigen::MatrixXf& matrix) const;
 
-  const ShapeDescriptor& descriptor_;
+  const ShapeDescriptor* descriptor_ = nullptr; ///< null: no guidance
   std::vector<Level> levels_;
 };
 

@@ -32,37 +32,46 @@ nearestInvolution(const Eigen::MatrixXf& matrix)
 }
 
 UpwardRefinement::UpwardRefinement(const Eigen::MatrixXf& functions,
-                                   const ShapeDescriptor& descriptor,
                                    Eigen::Index samples,
-                                   const std::vector<int>& dimensions,
-                                   float guidance)
-    : descriptor_(descriptor)
+                                   const std::vector<int>& dimensions)
 {
-  const Eigen::MatrixXf local_parts = descriptor.localParts(samples);
   for (const int d : dimensions) {
     Level level;
     level.functions = functions.topLeftCorner(samples, std::min<Eigen::Index>(d, functions.cols()));
     const Eigen::MatrixXf gram = level.functions.transpose() * level.functions;
     level.pseudo_inverse = gram.ldlt().solve(level.functions.transpose());
+    levels_.push_back(std::move(level));
+  }
+}
+
+UpwardRefinement::UpwardRefinement(const Eigen::MatrixXf& functions,
+                                   const ShapeDescriptor& descriptor,
+                                   Eigen::Index samples,
+                                   const std::vector<int>& dimensions,
+                                   float guidance)
+    : UpwardRefinement(functions, samples, dimensions)
+{
+  descriptor_ = &descriptor;
+  const Eigen::MatrixXf local_parts = descriptor.localParts(samples);
+  for (Level& level : levels_) {
     // The eigenfunctions have unit variance each: their sum grows with their number.
     level.weight = guidance * std::sqrt(static_cast<float>(level.functions.cols()));
     level.targets.resize(samples, level.functions.cols() + local_parts.cols());
     level.targets << level.functions, level.weight * local_parts;
-    levels_.push_back(std::move(level));
   }
 }
 
 SampleMap
 UpwardRefinement::match(const Level& level, const Eigen::MatrixXf& matrix) const
 {
-  if (level.weight == 0.0F) {
+  if (descriptor_ == nullptr) {
     return nearestRows(level.functions * matrix, level.functions);
   }
   // Row and column 0 belong to the constant function.
   const Eigen::Index d = matrix.cols() - 1;
   Eigen::MatrixXf queries(level.targets.rows(), level.targets.cols());
   queries << level.functions * matrix,
-      level.weight * descriptor_.mirroredLocalParts(matrix.bottomRightCorner(d, d), level.targets.rows());
+      level.weight * descriptor_->mirroredLocalParts(matrix.bottomRightCorner(d, d), level.targets.rows());
   return nearestRows(queries, level.targets);
 }
 

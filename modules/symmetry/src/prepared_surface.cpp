@@ -4,6 +4,7 @@
 #include "geodesic/vector_math.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pcl {
@@ -74,6 +75,34 @@ normalizeScale(PreparedSurface& surface)
     }
   }
   surface.scale = static_cast<float>(scale);
+}
+
+/** Statistical outlier removal (R. Rusu et al., 2008): drops the points whose mean distance to their neighbours exceeds
+ * the mean of the cloud by more than so many standard deviations. */
+void
+dropOutliers(PreparedSurface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
+{
+  const NeighbourLists lists = search(surface.points, parameters.k_search);
+  std::vector<double> mean_distance(surface.size(), 0.0);
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    std::size_t found = 0;
+    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i, ++found) {
+      mean_distance[v] += distance(surface.points[v], surface.points[lists.neighbours[i]]);
+    }
+    mean_distance[v] /= static_cast<double>(std::max<std::size_t>(found, 1));
+    sum += mean_distance[v];
+    sum_of_squares += mean_distance[v] * mean_distance[v];
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(surface.size(), 1));
+  const double deviation = std::sqrt(std::max(0.0, sum_of_squares / count - (sum / count) * (sum / count)));
+  const double largest = sum / count + double{parameters.outlier_deviations} * deviation;
+  std::vector<char> keep(surface.size());
+  std::transform(mean_distance.begin(), mean_distance.end(), keep.begin(),
+                 [largest](double d) { return d <= largest; });
+  surface.summary.outliers = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
+  keepPoints(surface, keep);
 }
 
 /** Graph, normals and triangles of a cloud, which has none of them. */
@@ -170,6 +199,9 @@ prepareSurface(const Surface& surface, const SymmetryParameters& parameters, con
   dropNonFinitePoints(prepared);
   dropDegenerateTriangles(prepared.triangles);
   normalizeScale(prepared);
+  if (prepared.is_cloud && parameters.outlier_deviations > 0.0F) {
+    dropOutliers(prepared, parameters, search);
+  }
   if (prepared.is_cloud) {
     reconstructCloud(prepared, parameters, search);
   }

@@ -16,6 +16,7 @@ namespace symmetry {
 namespace {
 
 constexpr std::size_t fewest_points = 60;
+constexpr std::size_t fewest_samples = 30;
 
 /** Everything about a surface that does not depend on a map. */
 struct SurfaceModel {
@@ -24,25 +25,35 @@ struct SurfaceModel {
   HubSurface hubs;
 };
 
+/** What it takes to carry a map of the samples over to the points. */
+struct PointTransfer {
+  SampleInterpolation interpolation;
+  CellMembers members;
+};
+
 /** A map of all samples with what is derived from it. */
 struct SampleEstimate {
   SampleMap map;
   Eigen::MatrixXf matrix;
+  std::vector<Index> partners; ///< point that is the partner of each sample
 };
 
 /** Extends the map of the hubs to all samples and refines it among them. */
 SampleEstimate
-refineOnAllSamples(const SurfaceModel& model, const SymmetryCandidate& candidate, const RobustSettings& settings)
+refineOnAllSamples(const SurfaceModel& model,
+                   const PointTransfer& transfer,
+                   const SymmetryCandidate& candidate,
+                   const RobustSettings& settings,
+                   unsigned threads)
 {
   const auto count = static_cast<Eigen::Index>(model.coarse.size());
   const Eigen::MatrixXf functions = model.basis.functions.leftCols(candidate.matrix.cols());
   SampleEstimate estimate;
   estimate.map = nearestRows(functions * candidate.matrix, functions);
-  DescriptorWeights weights = settings.search.descriptor;
-  weights.oriented_dimensions = settings.search.guide_dimensions;
-  const ShapeDescriptor guide = describeShape(model.coarse, model.basis, settings.search.guide_dimensions, weights);
-  const UpwardRefinement refinement(model.basis.functions, guide, count, settings.final_levels, 0.0F);
+  const UpwardRefinement refinement(model.basis.functions, count, settings.final_levels);
   estimate.matrix = refinement.refine(estimate.map);
+  estimate.partners = partnersOfSamples(model.coarse, model.basis, transfer.interpolation, transfer.members,
+                                        estimate.map, estimate.matrix, threads);
   return estimate;
 }
 
@@ -103,6 +114,64 @@ sparseMatches(const SurfaceModel& model,
   return matches;
 }
 
+/** Region of every point and the ends of the limbs. */
+void
+describeLimbs(const SurfaceModel& model, const SampleMap& hub_map, const OrderedPairs& pairs, MapEstimate& estimate)
+{
+  const auto limbs = swappedExtremities(model.hubs, hub_map, pairs);
+  const std::vector<Region> hub_regions = hubRegions(model.hubs, limbs);
+  for (const Index cell : model.coarse.cells.owner) {
+    estimate.regions.push_back(hub_regions[model.hubs.nearest_hub[cell]]);
+  }
+  for (const auto& [source, target] : limbs) {
+    estimate.extremities.push_back(model.coarse.cells.vertices[source]);
+    estimate.extremities.push_back(model.coarse.cells.vertices[target]);
+  }
+}
+
+/** Dense maps of the best candidates, as many as were asked for. */
+void
+appendAlternatives(const PreparedSurface& surface,
+                   const SurfaceModel& model,
+                   const PointTransfer& transfer,
+                   const std::vector<SymmetryCandidate>& candidates,
+                   const SymmetryParameters& parameters,
+                   const RobustSettings& settings,
+                   MapEstimate& estimate)
+{
+  const std::size_t count = std::min(candidates.size(), static_cast<std::size_t>(parameters.alternatives));
+  for (std::size_t i = 0; count > 1 && i < count; ++i) {
+    const SampleEstimate samples = refineOnAllSamples(model, transfer, candidates[i], settings, parameters.threads);
+    AlternativeMap alternative;
+    alternative.partners = partnersOfPoints(surface, model.coarse, transfer.interpolation, transfer.members,
+                                            samples.partners, parameters.threads);
+    alternative.score = candidates[i].score.value;
+    alternative.confidence = reflectionConfidence(candidates[i].score);
+    alternative.reverses_orientation = candidates[i].score.reversal >= 0.5F;
+    estimate.alternatives.push_back(std::move(alternative));
+  }
+}
+
+SurfaceModel
+modelSurface(const PreparedSurface& surface,
+             const SymmetryParameters& parameters,
+             const RobustSettings& settings,
+             StepTimer& timer)
+{
+  SurfaceModel model;
+  timer.start("sampling", 0.1);
+  const std::size_t samples = parameters.samples > 0 ? static_cast<std::size_t>(parameters.samples) : settings.samples;
+  model.coarse = coarsenSurface(surface, samples);
+  if (model.coarse.size() < fewest_samples) {
+    return model;
+  }
+  timer.start("embedding", 0.2);
+  model.basis = laplacianBasis(model.coarse, settings.eigenfunctions);
+  timer.start("geodesics", 0.3);
+  model.hubs = makeHubSurface(model.coarse, settings.hubs, parameters.metric, parameters.threads);
+  return model;
+}
+
 } // namespace
 
 MapEstimate
@@ -112,59 +181,50 @@ estimateRobust(const PreparedSurface& surface,
                StepTimer& timer)
 {
   MapEstimate estimate;
+  estimate.status = SymmetryStatus::TooFewPoints;
+  estimate.message = "the robust method needs " + std::to_string(fewest_points) + " connected points, " +
+                     std::to_string(fewest_samples) + " of them at distinct places";
   if (surface.size() < fewest_points) {
-    estimate.status = SymmetryStatus::TooFewPoints;
-    estimate.message = "fewer than " + std::to_string(fewest_points) + " usable points";
     return estimate;
   }
-  SurfaceModel model;
-  timer.start("sampling", 0.05);
-  const std::size_t samples = parameters.samples > 0 ? static_cast<std::size_t>(parameters.samples) : settings.samples;
-  model.coarse = coarsenSurface(surface, samples);
-  timer.start("embedding", 0.2);
-  model.basis = laplacianBasis(model.coarse, settings.eigenfunctions);
-  timer.start("geodesics", 0.3);
-  model.hubs = makeHubSurface(model.coarse, settings.hubs, parameters.metric, parameters.threads);
+  const SurfaceModel model = modelSurface(surface, parameters, settings, timer);
+  if (model.coarse.size() < fewest_samples) {
+    return estimate;
+  }
+  estimate.status = SymmetryStatus::NoSymmetry;
+  estimate.message = "no map explains the surface as a reflection of itself";
+  estimate.diameter = model.hubs.diameter;
+
   timer.start("hypotheses", 0.4);
   const std::vector<SymmetryCandidate> candidates =
       searchSymmetries(model.coarse, model.basis, model.hubs, settings.search, parameters.threads);
   if (candidates.empty()) {
-    estimate.message = "the surface is too simple to tell any symmetry";
     return estimate;
   }
+  const SymmetryCandidate& best = candidates[0];
+  estimate.confidence = reflectionConfidence(best.score);
+  if (!isReflection(best.score)) {
+    return estimate;
+  }
+  estimate.status = SymmetryStatus::Symmetric;
+  estimate.message.clear();
+
   timer.start("matching", 0.7);
-  const SampleEstimate best = refineOnAllSamples(model, candidates[0], settings);
-
+  PointTransfer transfer{interpolateFromSamples(surface, model.coarse, parameters.threads),
+                         membersOfCells(model.coarse)};
+  const SampleEstimate samples = refineOnAllSamples(model, transfer, best, settings, parameters.threads);
   timer.start("dense", 0.8);
-  const SampleInterpolation interpolation = interpolateFromSamples(surface, model.coarse, parameters.threads);
-  const CellMembers members = membersOfCells(model.coarse);
-  const std::vector<Index> sample_partners =
-      partnersOfSamples(model.coarse, model.basis, interpolation, members, best.map, best.matrix, parameters.threads);
   if (!parameters.sparse_only) {
-    estimate.partners =
-        partnersOfPoints(surface, model.coarse, interpolation, members, sample_partners, parameters.threads);
+    estimate.partners = partnersOfPoints(surface, model.coarse, transfer.interpolation, transfer.members,
+                                         samples.partners, parameters.threads);
+    appendAlternatives(surface, model, transfer, candidates, parameters, settings, estimate);
   }
-  const OrderedPairs pairs = orderPairs(model.hubs, candidates[0].map);
-  estimate.side_function = pointSides(model, pairs, interpolation, estimate.partners, parameters.threads);
-  estimate.matches = sparseMatches(model, best.map, sample_partners, estimate.side_function);
-
-  const auto limbs = swappedExtremities(model.hubs, candidates[0].map, pairs);
-  const std::vector<Region> hub_regions = hubRegions(model.hubs, limbs);
-  estimate.regions.resize(surface.size());
-  for (std::size_t v = 0; v < surface.size(); ++v) {
-    estimate.regions[v] = hub_regions[model.hubs.nearest_hub[model.coarse.cells.owner[v]]];
-  }
-  for (const auto& [source, target] : limbs) {
-    estimate.extremities.push_back(model.coarse.cells.vertices[source]);
-    estimate.extremities.push_back(model.coarse.cells.vertices[target]);
-  }
-  estimate.diameter = model.hubs.diameter;
-  estimate.confidence = reflectionConfidence(candidates[0].score);
-  estimate.confidences = pointConfidences(model.hubs, model.coarse, best.map, interpolation, estimate.confidence);
-  estimate.status = isReflection(candidates[0].score) ? SymmetryStatus::Symmetric : SymmetryStatus::NoSymmetry;
-  if (estimate.status == SymmetryStatus::NoSymmetry) {
-    estimate.message = "no map explains the surface as a reflection of itself";
-  }
+  const OrderedPairs pairs = orderPairs(model.hubs, best.map);
+  estimate.side_function = pointSides(model, pairs, transfer.interpolation, estimate.partners, parameters.threads);
+  estimate.matches = sparseMatches(model, samples.map, samples.partners, estimate.side_function);
+  estimate.confidences =
+      pointConfidences(model.hubs, model.coarse, samples.map, transfer.interpolation, estimate.confidence);
+  describeLimbs(model, best.map, pairs, estimate);
   return estimate;
 }
 

@@ -169,6 +169,10 @@ searchSymmetries(const CoarseSurface& surface,
                  const SearchSettings& settings,
                  unsigned threads)
 {
+  constexpr Eigen::Index fewest_functions = 4;
+  if (basis.functions.cols() < fewest_functions || hubs.diameter <= 0.0F) {
+    return {};
+  }
   const ShapeDescriptor descriptor = describeShape(surface, basis, settings.dimensions, settings.descriptor);
   const auto dimensions = static_cast<int>(descriptor.spectral.cols());
   std::vector<SymmetryCandidate> candidates =
