@@ -1,13 +1,11 @@
 // The PCL class: what it takes, what it refuses, what its result refers to.
 #include "support/known_body.h"
+#include "support/pcl_input.h"
 
 #include <pcl/symmetry/intrinsic_symmetry.h>
 
 #include <gtest/gtest.h>
-#include <pcl/conversions.h>
 #include <pcl/exceptions.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
 #include <pcl/search/brute_force.h>
 
 #include <limits>
@@ -25,40 +23,6 @@ human()
 {
   static const Model model = body(Body::Human, 0.3);
   return model;
-}
-
-template <typename PointT>
-typename pcl::PointCloud<PointT>::Ptr
-cloudOf(const std::vector<Vector3>& points)
-{
-  const auto cloud = pcl::make_shared<pcl::PointCloud<PointT>>();
-  for (const Vector3& p : points) {
-    PointT point;
-    point.x = p[0];
-    point.y = p[1];
-    point.z = p[2];
-    cloud->push_back(point);
-  }
-  return cloud;
-}
-
-pcl::Vertices
-polygon(const pcl::Indices& corners)
-{
-  pcl::Vertices polygon;
-  polygon.vertices = corners;
-  return polygon;
-}
-
-pcl::PolygonMesh::Ptr
-meshOf(const Surface& surface)
-{
-  const auto mesh = pcl::make_shared<pcl::PolygonMesh>();
-  pcl::toPCLPointCloud2(*cloudOf<pcl::PointXYZ>(surface.points), mesh->cloud);
-  for (const Triangle& t : surface.triangles) {
-    mesh->polygons.push_back(polygon({t[0], t[1], t[2]}));
-  }
-  return mesh;
 }
 
 const pcl::PolygonMesh::Ptr&
@@ -140,8 +104,6 @@ expectNoReferenceTo(const SymmetryResult& result, const std::vector<char>& marke
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------- results
-
 TEST(IntrinsicSymmetryEstimation, AgreesWithTheFunctionWithoutPclTypes)
 {
   const pcl::IntrinsicSymmetryResult result = compute(humanMesh());
@@ -179,8 +141,6 @@ TEST(IntrinsicSymmetryEstimation, AResultIsReplacedAsAWhole)
   EXPECT_EQ(result.axis.size(), first.axis.size());
   EXPECT_EQ(result.seconds.size(), first.seconds.size());
 }
-
-// ------------------------------------------------------------------------------------------- points that take no part
 
 TEST(IntrinsicSymmetryEstimation, NonFinitePointsTakeNoPart)
 {
@@ -280,9 +240,6 @@ TEST(IntrinsicSymmetryEstimation, OnlyTheLargestComponentTakesPart)
   EXPECT_EQ(result.input.used, human().surface.size());
 }
 
-// ------------------------------------------------------------------------------------------------------ what is
-// refused
-
 TEST(IntrinsicSymmetryEstimation, RefusesToComputeWithoutInput)
 {
   pcl::IntrinsicSymmetryEstimation<pcl::PointXYZ> estimation;
@@ -373,9 +330,6 @@ TEST(IntrinsicSymmetryEstimation, GettersMirrorSetters)
   EXPECT_EQ(estimation.getSearchMethod(), search);
 }
 
-// ------------------------------------------------------------------------------------------------------- kinds of
-// input
-
 TEST(IntrinsicSymmetryEstimation, PolygonsAreTriangulatedAsFans)
 {
   const auto mesh = pcl::make_shared<pcl::PolygonMesh>(*humanMesh());
@@ -431,83 +385,5 @@ TYPED_TEST(PointTypeTest, GivesTheSameMap)
   EXPECT_EQ(result.status, SymmetryStatus::Symmetric);
   EXPECT_EQ(result.partners, compute<pcl::PointXYZ>(humanMesh()).partners);
 }
-
-// -------------------------------------------------------------------------------------------------------------
-// progress
-
-class ProgressTest : public testing::TestWithParam<Method> {
-protected:
-  struct Call {
-    std::string step;
-    double fraction;
-  };
-
-  pcl::IntrinsicSymmetryResult
-  run(std::size_t calls_until_cancelled)
-  {
-    pcl::IntrinsicSymmetryEstimation<pcl::PointXYZ> estimation;
-    estimation.setMethod(GetParam());
-    estimation.setInputMesh(humanMesh());
-    estimation.setProgressCallback([&](const char* step, double fraction) {
-      calls_.push_back({step, fraction});
-      return calls_.size() < calls_until_cancelled;
-    });
-    pcl::IntrinsicSymmetryResult result;
-    estimation.compute(result);
-    return result;
-  }
-
-  std::vector<Call> calls_;
-};
-
-TEST_P(ProgressTest, FractionsRiseAndStepsAreThoseThatAreTimed)
-{
-  const pcl::IntrinsicSymmetryResult result = run(1000);
-  EXPECT_EQ(result.status, SymmetryStatus::Symmetric);
-  ASSERT_GE(calls_.size(), 5U);
-  EXPECT_EQ(calls_.front().step, "graph");
-  EXPECT_EQ(calls_.front().fraction, 0.0);
-  EXPECT_LT(calls_.back().fraction, 1.0);
-  std::vector<std::string> steps;
-  for (std::size_t i = 0; i < calls_.size(); ++i) {
-    EXPECT_TRUE(i == 0 || calls_[i].fraction >= calls_[i - 1].fraction) << calls_[i].step;
-    if (std::find(steps.begin(), steps.end(), calls_[i].step) == steps.end()) {
-      steps.push_back(calls_[i].step);
-    }
-  }
-  ASSERT_EQ(result.seconds.size(), steps.size());
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    EXPECT_EQ(result.seconds[i].first, steps[i]);
-    EXPECT_GE(result.seconds[i].second, 0.0);
-  }
-}
-
-TEST_P(ProgressTest, CancellingAtAnyStepLeavesNothingAboutAnyPoint)
-{
-  run(1000);
-  const std::size_t all = calls_.size();
-  for (std::size_t last = 1; last <= all; ++last) {
-    calls_.clear();
-    const pcl::IntrinsicSymmetryResult result = run(last);
-    SCOPED_TRACE(calls_.back().step);
-    EXPECT_EQ(calls_.size(), last);
-    EXPECT_EQ(result.status, SymmetryStatus::Cancelled);
-    EXPECT_FALSE(result.message.empty());
-    ASSERT_EQ(result.partners.size(), human().surface.size());
-    for (std::size_t v = 0; v < result.partners.size(); ++v) {
-      expectNothingAbout(result, v);
-    }
-    EXPECT_TRUE(result.matches.empty() && result.correspondences.empty() && result.axis.empty() &&
-                result.extremities.empty() && result.alternatives.empty());
-    EXPECT_EQ(result.confidence, 0.0F);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Methods,
-                         ProgressTest,
-                         testing::Values(Method::Robust, Method::Staged),
-                         [](const testing::TestParamInfo<Method>& tested) {
-                           return tested.param == Method::Robust ? "Robust" : "Staged";
-                         });
 
 } // namespace

@@ -1,0 +1,140 @@
+// The PCL class with clouds: holes, searches, normals.
+#include "support/known_body.h"
+#include "support/pcl_input.h"
+
+#include <pcl/symmetry/intrinsic_symmetry.h>
+
+#include <gtest/gtest.h>
+#include <pcl/exceptions.h>
+#include <pcl/search/brute_force.h>
+
+#include <limits>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+const Model&
+human()
+{
+  static const Model model = body(Body::Human, 0.3);
+  return model;
+}
+
+template <typename PointT>
+pcl::IntrinsicSymmetryResult
+compute(const pcl::shared_ptr<pcl::PointCloud<PointT>>& cloud, const SymmetryParameters& parameters = {})
+{
+  pcl::IntrinsicSymmetryEstimation<PointT> estimation;
+  estimation.setParameters(parameters);
+  estimation.setInputCloud(cloud);
+  pcl::IntrinsicSymmetryResult result;
+  estimation.compute(result);
+  return result;
+}
+
+TEST(CloudInput, ReplacesAMesh)
+{
+  pcl::IntrinsicSymmetryEstimation<pcl::PointXYZ> estimation;
+  estimation.setInputMesh(meshOf(human().surface));
+  const auto cloud = cloudOf(human().surface.points);
+  estimation.setInputCloud(cloud);
+  pcl::IntrinsicSymmetryResult result;
+  estimation.compute(result);
+  EXPECT_EQ(result.input.faces, 0U);
+  EXPECT_EQ(result.partners, compute(cloud).partners);
+}
+
+TEST(CloudInput, MayBeOrganisedWithHoles)
+{
+  // Rows of 64 points, of which every seventh is a hole; is_dense says otherwise.
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  std::vector<Index> position;
+  const auto add_hole = [&] {
+    cloud->push_back({not_a_number, not_a_number, not_a_number});
+  };
+  for (const Vector3& p : human().surface.points) {
+    if (cloud->size() % 7 == 3) {
+      add_hole();
+    }
+    position.push_back(static_cast<Index>(cloud->size()));
+    cloud->push_back({p[0], p[1], p[2]});
+  }
+  while (cloud->size() % 64 != 0) {
+    add_hole();
+  }
+  cloud->height = static_cast<std::uint32_t>(cloud->size() / 64);
+  cloud->width = 64;
+  cloud->is_dense = true;
+  const pcl::IntrinsicSymmetryResult result = compute(cloud);
+  const pcl::IntrinsicSymmetryResult without_holes = compute(cloudOf(human().surface.points));
+  ASSERT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  EXPECT_EQ(result.input.non_finite, cloud->size() - position.size());
+  for (std::size_t v = 0; v < position.size(); ++v) {
+    ASSERT_EQ(result.partners[position[v]], position[without_holes.partners[v]]);
+  }
+}
+
+TEST(CloudInput, AnotherExactSearchGivesTheSameMap)
+{
+  const auto cloud = cloudOf(human().surface.points);
+  pcl::IntrinsicSymmetryEstimation<pcl::PointXYZ> estimation;
+  estimation.setInputCloud(cloud);
+  const auto search = pcl::make_shared<pcl::search::BruteForce<pcl::PointXYZ>>(true);
+  estimation.setSearchMethod(search);
+  pcl::IntrinsicSymmetryResult result;
+  estimation.compute(result);
+  EXPECT_EQ(result.status, SymmetryStatus::Symmetric);
+  EXPECT_EQ(result.partners, compute(cloud).partners);
+  EXPECT_TRUE(search->getInputCloud()); // it was used
+}
+
+TEST(CloudInput, NormalsOfThePointsAreUsedWhenAskedFor)
+{
+  const auto cloud = cloudOf<pcl::PointNormal>(human().surface.points);
+  for (const Triangle& t : human().surface.triangles) {
+    const Vector3& p = human().surface.points[t[0]];
+    const Vector3 normal = cross(human().surface.points[t[1]] - p, human().surface.points[t[2]] - p);
+    for (const Index v : t) {
+      (*cloud)[v].getNormalVector3fMap() += Eigen::Vector3f(normal[0], normal[1], normal[2]);
+    }
+  }
+  for (pcl::PointNormal& point : *cloud) {
+    point.getNormalVector3fMap().normalize();
+  }
+  SymmetryParameters parameters;
+  parameters.normals = NormalSource::Given;
+  const pcl::IntrinsicSymmetryResult result = compute(cloud, parameters);
+  ASSERT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  EXPECT_GE(correspondenceRate(mapErrors(human(), result.partners)), 0.95);
+}
+
+TEST(CloudInput, GivenNormalsOfPointsWithoutAreRefused)
+{
+  SymmetryParameters parameters;
+  parameters.normals = NormalSource::Given;
+  EXPECT_THROW(compute(cloudOf(human().surface.points), parameters), pcl::BadArgumentException);
+}
+
+TEST(CloudInput, DuplicatedPointsAreKept)
+{
+  std::vector<Vector3> points = human().surface.points;
+  const std::size_t n = points.size();
+  for (std::size_t v = 0; v < n; v += 5) {
+    const Vector3 copy = points[v];
+    points.push_back(copy);
+  }
+  const pcl::IntrinsicSymmetryResult result = compute(cloudOf(points));
+  ASSERT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  EXPECT_EQ(result.input.used, points.size());
+  std::vector<Index> partners(result.partners.begin(), result.partners.begin() + static_cast<std::ptrdiff_t>(n));
+  for (Index& partner : partners) {
+    partner = partner < static_cast<Index>(n) ? partner : 5 * (partner - static_cast<Index>(n));
+  }
+  EXPECT_GE(correspondenceRate(mapErrors(human(), partners)), 0.95);
+}
+
+} // namespace

@@ -1,0 +1,102 @@
+// What a caller hears while the estimation runs, and how it stops.
+#include "support/known_body.h"
+
+#include <pcl/symmetry/symmetry.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+const Model&
+human()
+{
+  static const Model model = body(Body::Human, 0.3);
+  return model;
+}
+
+void
+expectNothingAbout(const SymmetryResult& result, std::size_t v)
+{
+  EXPECT_EQ(result.partners[v], no_index);
+  EXPECT_EQ(result.confidences[v], 0.0F);
+  EXPECT_EQ(result.sides[v], Side::None);
+  EXPECT_EQ(result.regions[v], Region::None);
+}
+
+class ProgressTest : public testing::TestWithParam<Method> {
+protected:
+  struct Call {
+    std::string step;
+    double fraction;
+  };
+
+  SymmetryResult
+  run(std::size_t calls_until_cancelled)
+  {
+    SymmetryParameters parameters;
+    parameters.method = GetParam();
+    return estimateIntrinsicSymmetry(human().surface, parameters, [&](const char* step, double fraction) {
+      calls_.push_back({step, fraction});
+      return calls_.size() < calls_until_cancelled;
+    });
+  }
+
+  std::vector<Call> calls_;
+};
+
+TEST_P(ProgressTest, FractionsRiseAndStepsAreThoseThatAreTimed)
+{
+  const SymmetryResult result = run(1000);
+  EXPECT_EQ(result.status, SymmetryStatus::Symmetric);
+  ASSERT_GE(calls_.size(), 5U);
+  EXPECT_EQ(calls_.front().step, "graph");
+  EXPECT_EQ(calls_.front().fraction, 0.0);
+  EXPECT_LT(calls_.back().fraction, 1.0);
+  std::vector<std::string> steps;
+  for (std::size_t i = 0; i < calls_.size(); ++i) {
+    EXPECT_TRUE(i == 0 || calls_[i].fraction >= calls_[i - 1].fraction) << calls_[i].step;
+    if (std::find(steps.begin(), steps.end(), calls_[i].step) == steps.end()) {
+      steps.push_back(calls_[i].step);
+    }
+  }
+  ASSERT_EQ(result.seconds.size(), steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    EXPECT_EQ(result.seconds[i].first, steps[i]);
+    EXPECT_GE(result.seconds[i].second, 0.0);
+  }
+}
+
+TEST_P(ProgressTest, CancellingAtAnyStepLeavesNothingAboutAnyPoint)
+{
+  run(1000);
+  const std::size_t all = calls_.size();
+  for (std::size_t last = 1; last <= all; ++last) {
+    calls_.clear();
+    const SymmetryResult result = run(last);
+    SCOPED_TRACE(calls_.back().step);
+    EXPECT_EQ(calls_.size(), last);
+    EXPECT_EQ(result.status, SymmetryStatus::Cancelled);
+    EXPECT_FALSE(result.message.empty());
+    ASSERT_EQ(result.partners.size(), human().surface.size());
+    for (std::size_t v = 0; v < result.partners.size(); ++v) {
+      expectNothingAbout(result, v);
+    }
+    EXPECT_TRUE(result.matches.empty() && result.axis.empty() && result.extremities.empty() &&
+                result.alternatives.empty());
+    EXPECT_EQ(result.confidence, 0.0F);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods,
+                         ProgressTest,
+                         testing::Values(Method::Robust, Method::Staged),
+                         [](const testing::TestParamInfo<Method>& tested) {
+                           return tested.param == Method::Robust ? "Robust" : "Staged";
+                         });
+
+} // namespace
