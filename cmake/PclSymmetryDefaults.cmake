@@ -8,8 +8,9 @@
 #   pcl_symmetry_program_test(<name> PROGRAM <program> SOURCES ... [LINK ...] [TOGETHER] [TIMEOUT <seconds>])
 #
 # Each is described above its definition. Dependencies to link (all found by the root, see PclSymmetryDependencies.cmake):
-# Threads::Threads, Eigen3::Eigen, pcl_symmetry::pcl_core (common, search, kdtree, FLANN), pcl_symmetry::pcl_io,
-# pcl_symmetry::pcl_visualization, Boost::program_options, Boost::headers (Boost.Graph), nlohmann_json::nlohmann_json.
+# Threads::Threads, Eigen3::Eigen, Spectra::Spectra, pcl_symmetry::pcl_core (common, search, kdtree, FLANN),
+# pcl_symmetry::pcl_io, pcl_symmetry::pcl_visualization, Boost::program_options, Boost::headers (Boost.Graph),
+# nlohmann_json::nlohmann_json.
 include(GNUInstallDirs)
 
 option(PCL_SYMMETRY_BUILD_TESTS "Build the tests" ON)

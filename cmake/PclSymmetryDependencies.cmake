@@ -1,6 +1,7 @@
 # Everything this project needs, found once for all folders. Debian packages: cmake/packages.txt.
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+find_package(Spectra 1.0 REQUIRED)
 find_package(PCL 1.13 REQUIRED COMPONENTS common search kdtree io visualization)
 include(PclTargets)
 find_package(Boost 1.74 REQUIRED COMPONENTS program_options)
