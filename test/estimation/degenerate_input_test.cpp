@@ -75,6 +75,22 @@ TEST_P(DegenerateInputTest, NoFinitePoint)
   EXPECT_EQ(result.input.non_finite, 500U);
 }
 
+TEST_P(DegenerateInputTest, AllPointsEqual)
+{
+  Surface cloud;
+  cloud.points.assign(500, {1.0F, 2.0F, 3.0F});
+  EXPECT_NE(estimate(cloud).status, SymmetryStatus::Symmetric);
+}
+
+TEST_P(DegenerateInputTest, MeshOfEqualPoints)
+{
+  Surface mesh = sphereMesh(3);
+  for (Vector3& p : mesh.points) {
+    p = {1.0F, 2.0F, 3.0F};
+  }
+  EXPECT_NE(estimate(mesh).status, SymmetryStatus::Symmetric);
+}
+
 TEST_P(DegenerateInputTest, PointsOnALine)
 {
   Surface cloud;
