@@ -23,10 +23,10 @@ struct MapScore {
 
 /** \brief Weights of the measures in MapScore::value. */
 struct ScoreWeights {
-  float displacement = 0.5F;
+  float displacement = 0.8F;
   float reversal = 2.0F;
   float fixed = 3.0F;
-  float curvature = 0.3F;
+  float curvature = 0.6F;
 };
 
 /** \param[in] descriptor of all samples, for the curvature

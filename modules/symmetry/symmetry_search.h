@@ -21,12 +21,12 @@ struct SearchSettings {
   std::size_t pairings = 60; ///< hypotheses from extremities, 0: none
   DescriptorWeights descriptor;
   ScoreWeights score;
-  std::size_t coarse_queries = 120;                    ///< hubs matched per hypothesis,
-  std::size_t coarse_targets = 300;                    ///< among so many
-  std::size_t refined = 16;                            ///< distinct candidates that are refined
-  std::vector<int> levels{14, 18, 22, 26, 30, 35, 40}; ///< eigenfunctions used by the refinement
-  int guide_dimensions = 12;
-  float guidance = 0.5F;    ///< weight of the local parts of the descriptor in the refinement
+  std::size_t coarse_queries = 120;            ///< hubs matched per hypothesis,
+  std::size_t coarse_targets = 300;            ///< among so many
+  std::size_t refined = 16;                    ///< distinct candidates that are refined
+  std::vector<int> levels{14, 18, 24, 32, 40}; ///< eigenfunctions used by the refinement
+  int guide_dimensions = 10;                   ///< spectral coordinates in the orientation part of the guide
+  float guidance = 0.5F;                       ///< weight of the local parts of the descriptor in the refinement
   std::size_t repaired = 6; ///< best candidates whose weak parts are derived anew from their strong ones
   float distinct = 0.06F;   ///< maps that differ less on average (share of the diameter) count as one
 };

@@ -9,8 +9,8 @@ namespace symmetry {
 float
 reflectionConfidence(const MapScore& score)
 {
-  constexpr float even = -1.2F; // score at which right and wrong are equally likely
-  constexpr float slope = 5.0F;
+  constexpr float even = -0.6F; // score at which right and wrong are equally likely
+  constexpr float slope = 4.0F;
   return 1.0F / (1.0F + std::exp(slope * (score.value - even)));
 }
 
