@@ -14,6 +14,7 @@
 include(GNUInstallDirs)
 
 option(PCL_SYMMETRY_BUILD_TESTS "Build the tests" ON)
+set(PCL_SYMMETRY_TIMEOUT_SCALE 1 CACHE STRING "Factor on the time limits of tests: sanitizers and emulators are slow")
 option(PCL_SYMMETRY_WARNINGS_AS_ERRORS "Stop at a compiler warning" OFF)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -118,6 +119,7 @@ function(pcl_symmetry_test name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
+  math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * ${PCL_SYMMETRY_TIMEOUT_SCALE}")
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/test)
