@@ -14,7 +14,7 @@ mkdir -p "$results"
 
 echo
 echo "== A body and its true mirror partners"
-$bin/pcl_symmetry_model "$results/body.ply" --body human --vertices 12500 --bend 1 --seed 7 --truth "$results/truth.txt"
+$bin/pcl_symmetry_model "$results/body.ply" --body human --vertices 12500 --bend 1 --seed 11 --truth "$results/truth.txt"
 
 echo
 echo "== Its symmetry, found from the triangles alone"
