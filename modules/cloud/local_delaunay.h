@@ -23,5 +23,22 @@ localDelaunayTriangles(const std::vector<Vector3>& points,
                        const SurfaceGraph& graph,
                        unsigned threads);
 
+/** \brief Discrete Laplacian of a cloud of evenly spread samples. */
+struct FanLaplacian {
+  std::vector<float> conductances; ///< per edge of the graph, the same both ways, not negative
+  std::vector<float> areas;        ///< per sample; they sum up to 1
+  std::vector<Triangle> triangles; ///< of all fans, each once, oriented by the normals; they may overlap
+};
+
+/** \brief Cotangent weights of the local Delaunay fans: each sample triangulates its neighbours in its tangent plane;
+ * an edge conducts the mean of what the fans at its two ends say, so no consistent triangulation is needed.
+ *
+ * N. Sharp and K. Crane: A Laplacian for nonmanifold triangle meshes. Computer Graphics Forum 39(5), 2020 (the point
+ * cloud case). \param[in] graph joins each sample to its Delaunay neighbours at least */
+FanLaplacian
+localDelaunayLaplacian(const std::vector<Vector3>& points,
+                       const std::vector<Vector3>& normals,
+                       const SurfaceGraph& graph);
+
 } // namespace symmetry
 } // namespace pcl

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl {
 namespace symmetry {
@@ -86,9 +87,11 @@ lowestFirst(Triangle t)
   return t;
 }
 
-/** The fan of triangles that a point proposes; gaps of more than 150 degrees stay open. */
+/** Calls visit (a, b) for every two neighbours that form a triangle with the centre; gaps of more than 150 degrees stay
+ * open. */
+template <typename Visit>
 void
-appendFan(const std::vector<PlanePoint>& ring, Index centre, std::vector<Triangle>& triangles)
+visitFan(const std::vector<PlanePoint>& ring, Visit visit)
 {
   constexpr float widest = 2.6F;
   constexpr float full_turn = 6.2831853F;
@@ -100,9 +103,27 @@ appendFan(const std::vector<PlanePoint>& ring, Index centre, std::vector<Triangl
     const PlanePoint& b = ring[(i + 1) % ring.size()];
     const float gap = i + 1 < ring.size() ? b.angle - a.angle : b.angle - a.angle + full_turn;
     if (gap > 0.0F && gap < widest) {
-      triangles.push_back(lowestFirst({centre, a.point, b.point}));
+      visit(a, b);
     }
   }
+}
+
+/** Half the cotangent of the angle between two sides; bounded, so that slivers do not take over. */
+float
+halfCotangent(float ux, float uy, float vx, float vy)
+{
+  constexpr float bound = 5.0F;
+  const float sine = std::abs(ux * vy - uy * vx);
+  const float cosine = ux * vx + uy * vy;
+  return 0.5F * (sine * bound <= std::abs(cosine) ? std::copysign(bound, cosine) : cosine / sine);
+}
+
+std::size_t
+edgeNumber(const SurfaceGraph& graph, Index from, Index to)
+{
+  const auto begin = graph.neighbours.begin() + graph.offsets[from];
+  const auto end = graph.neighbours.begin() + graph.offsets[from + 1];
+  return static_cast<std::size_t>(std::lower_bound(begin, end, to) - graph.neighbours.begin());
 }
 
 /** Triangles that occur at least twice, once each. Sorted, so that the result does not depend on threads. */
@@ -134,7 +155,9 @@ localDelaunayTriangles(const std::vector<Vector3>& points,
     for (std::size_t v = block * grain; v < std::min(points.size(), (block + 1) * grain); ++v) {
       std::vector<PlanePoint> ring = projectNeighbours(points, normals[v], graph, v);
       keepDelaunayNeighbours(ring);
-      appendFan(ring, static_cast<Index>(v), proposed[block]);
+      visitFan(ring, [&](const PlanePoint& a, const PlanePoint& b) {
+        proposed[block].push_back(lowestFirst({static_cast<Index>(v), a.point, b.point}));
+      });
     }
   });
   std::vector<Triangle> all;
@@ -142,6 +165,42 @@ localDelaunayTriangles(const std::vector<Vector3>& points,
     all.insert(all.end(), part.begin(), part.end());
   }
   return keepAgreed(std::move(all));
+}
+
+FanLaplacian
+localDelaunayLaplacian(const std::vector<Vector3>& points,
+                       const std::vector<Vector3>& normals,
+                       const SurfaceGraph& graph)
+{
+  FanLaplacian result;
+  result.areas.assign(points.size(), 0.0F);
+  std::vector<float> one_sided(graph.neighbours.size(), 0.0F);
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const auto centre = static_cast<Index>(v);
+    std::vector<PlanePoint> ring = projectNeighbours(points, normals[v], graph, v);
+    keepDelaunayNeighbours(ring);
+    visitFan(ring, [&](const PlanePoint& a, const PlanePoint& b) {
+      result.triangles.push_back(lowestFirst({centre, a.point, b.point}));
+      result.areas[v] += std::abs(a.x * b.y - a.y * b.x);
+      one_sided[edgeNumber(graph, centre, a.point)] += halfCotangent(b.x, b.y, b.x - a.x, b.y - a.y);
+      one_sided[edgeNumber(graph, centre, b.point)] += halfCotangent(a.x, a.y, a.x - b.x, a.y - b.y);
+    });
+  }
+  std::sort(result.triangles.begin(), result.triangles.end());
+  result.triangles.erase(std::unique(result.triangles.begin(), result.triangles.end()), result.triangles.end());
+
+  const double total = std::accumulate(result.areas.begin(), result.areas.end(), 0.0);
+  for (float& area : result.areas) {
+    area = total > 0.0 ? static_cast<float>(area / total) : 1.0F / static_cast<float>(points.size());
+  }
+  result.conductances.resize(one_sided.size());
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
+      const std::size_t back = edgeNumber(graph, graph.neighbours[e], static_cast<Index>(v));
+      result.conductances[e] = std::max(0.0F, 0.5F * (one_sided[e] + one_sided[back]));
+    }
+  }
+  return result;
 }
 
 } // namespace symmetry

@@ -1,5 +1,6 @@
 #include "symmetry/coarse_surface.h"
 
+#include "cloud/local_delaunay.h"
 #include "geodesic/vector_math.h"
 
 #include <algorithm>
@@ -149,6 +150,20 @@ cellNormals(const PreparedSurface& surface, const FarthestPointSamples& cells)
   return normals;
 }
 
+/** A cloud has no faces to measure cells by, but the samples are spread evenly whatever the density of the points. */
+void
+triangulateCells(CoarseSurface& coarse)
+{
+  FanLaplacian laplacian = localDelaunayLaplacian(coarse.points, coarse.normals, coarse.graph);
+  coarse.triangles = std::move(laplacian.triangles);
+  coarse.areas = std::move(laplacian.areas);
+  coarse.conductances = std::move(laplacian.conductances);
+  constexpr float least = 0.01F; // keeps connected what is connected
+  for (float& c : coarse.conductances) {
+    c = std::max(c, least);
+  }
+}
+
 } // namespace
 
 std::vector<Triangle>
@@ -176,9 +191,14 @@ coarsenSurface(const PreparedSurface& surface, std::size_t samples)
   }
   coarse.normals = cellNormals(surface, coarse.cells);
   coarse.graph = joinCells(surface.graph, coarse.cells);
-  coarse.triangles = dualTriangles(surface.triangles, coarse.cells.owner);
-  coarse.areas = cellAreas(surface, coarse.cells);
-  coarse.conductances = cellConductances(surface, coarse);
+  if (surface.is_cloud) {
+    triangulateCells(coarse);
+  }
+  else {
+    coarse.triangles = dualTriangles(surface.triangles, coarse.cells.owner);
+    coarse.areas = cellAreas(surface, coarse.cells);
+    coarse.conductances = cellConductances(surface, coarse);
+  }
   return coarse;
 }
 
