@@ -1,6 +1,9 @@
 #include "symmetry/symmetry_search.h"
 
 #include "geodesic/parallel.h"
+#include "symmetry/map_repair.h"
+#include <cstdio>
+#include <cstdlib>
 
 #include <algorithm>
 
@@ -67,7 +70,8 @@ public:
         settings_(settings),
         guide_(describeShape(surface, basis, settings.guide_dimensions, guideWeights(settings))),
         targets_(descriptor.joined(count())),
-        refinement_(basis.functions, guide_, count(), settings.levels, settings.guidance)
+        refinement_(basis.functions, guide_, count(), settings.levels, settings.guidance),
+        last_step_(basis.functions, guide_, count(), {settings.levels.back()}, settings.guidance)
   {
   }
 
@@ -97,6 +101,28 @@ public:
     result.map = nearestRows(from, to);
     finish(result);
     return result;
+  }
+
+  void
+  repairParts(SymmetryCandidate& candidate) const
+  {
+    SymmetryCandidate result = candidate;
+    result.map = repairedMap(hubs_, candidate.map);
+    if (result.map.empty()) {
+      return;
+    }
+    result.score = scoreMap(hubs_, descriptor_, result.map, settings_.coarse_targets, settings_.score);
+    const auto raw = result.score;
+    result.matrix = last_step_.refine(result.map);
+    result.score = scoreMap(hubs_, descriptor_, result.map, settings_.coarse_targets, settings_.score);
+    if (getenv("DBG")) {
+      for (const auto& z : {candidate.score, raw, result.score})
+        fprintf(stderr, "  val %.3f iso %.4f inv %.4f disp %.3f fix %.3f rev %.3f cur %.3f\n", z.value, z.isometry,
+                z.involution, z.displacement, z.fixed, z.reversal, z.curvature);
+    }
+    if (result.score.value < candidate.score.value) {
+      candidate = result;
+    }
   }
 
 private:
@@ -144,6 +170,7 @@ private:
   ShapeDescriptor guide_;
   Eigen::MatrixXf targets_;
   UpwardRefinement refinement_;
+  UpwardRefinement last_step_;
 };
 
 std::vector<SymmetryHypothesis>
@@ -190,6 +217,9 @@ searchSymmetries(const CoarseSurface& surface,
   parallelFor(repaired, threads, [&](std::size_t i) {
     candidates[candidates.size() - repaired + i] = refinement.repaired(candidates[i]);
   });
+  sortByScore(candidates);
+  static const std::size_t parts = getenv("PARTS") ? atoi(getenv("PARTS")) : 1;
+  parallelFor(std::min(parts, candidates.size()), threads, [&](std::size_t i) { refinement.repairParts(candidates[i]); });
   sortByScore(candidates);
   return keepDistinct(std::move(candidates), hubs, settings.distinct, settings.refined);
 }
