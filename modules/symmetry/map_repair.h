@@ -11,20 +11,21 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief How far the map turns the surface over around every hub: -1 nowhere (as a rotation), 1 everywhere.
+/** \brief How far a map turns the surface over around every hub: from -1 (nowhere, as a rotation) to 1 (everywhere).
  *
  * Mean over the triangles within two steps of the hub, by area; an image counts by its own area, at most by that of the
- * original. 0 where no triangle is mapped.
+ * original, so that the slivers that sampling noise turns over do not. 0 where there are no triangles.
  */
 std::vector<float>
 reversalAtHubs(const HubSurface& hubs, const SampleMap& map);
 
-/** \brief Derives a map anew wherever it does not reverse the orientation.
+/** \brief Derives a map anew wherever it keeps the orientation.
  *
- * A part behind a thin neck (a head) is hardly seen by the lowest eigenfunctions, so that a map may leave it as it is
- * or turn it. From the sound surroundings hub after hub is placed, neighbours first, where its distances to the hubs
- * placed around it come out best, then all placed hubs are relaxed in the same way.
- * \return empty where all of the map is sound or most of it is not
+ * The lowest eigenfunctions hardly see a part behind a thin neck (a head), so that a map may leave it as it is or turn
+ * it while it mirrors all the rest. From what is sound around such a part, hub after hub is placed where its distances
+ * to the hubs around it that have a place already come out best; distances to a few sound hubs all over the surface
+ * keep the growing part from folding back.
+ * \return empty where there is nothing to repair, or not enough to start from
  */
 SampleMap
 repairedMap(const HubSurface& hubs, const SampleMap& map);

@@ -5,79 +5,139 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <cstdio>
-#include <cstdlib>
 
 namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr std::size_t neighbours_per_hub = 24;
-
 /** The hubs nearest to each hub, nearest first, without itself. */
 std::vector<std::vector<Index>>
-nearestHubs(const HubSurface& hubs)
+nearestHubs(const HubSurface& hubs, std::size_t count)
 {
-  const std::size_t count = std::min(neighbours_per_hub + 1, hubs.size());
   std::vector<std::vector<Index>> nearest(hubs.size());
   std::vector<Index> order(hubs.size());
+  std::iota(order.begin(), order.end(), 0);
   for (std::size_t i = 0; i < hubs.size(); ++i) {
-    std::iota(order.begin(), order.end(), 0);
-    const auto column = hubs.distances.col(static_cast<Eigen::Index>(i));
-    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-                      [&](Index a, Index b) {
-                        return column(a) < column(b) || (column(a) == column(b) && a < b);
-                      });
-    for (std::size_t k = 0; k < count; ++k) {
-      if (order[k] != static_cast<Index>(i)) {
-        nearest[i].push_back(order[k]);
-      }
-    }
+    const auto from = hubs.distances.col(static_cast<Eigen::Index>(i));
+    const auto comes_before = [&](Index a, Index b) {
+      return from(a) < from(b) || (from(a) == from(b) && a < b);
+    };
+    std::vector<Index> others = order;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto end = others.begin() + static_cast<std::ptrdiff_t>(std::min(count, others.size()));
+    std::partial_sort(others.begin(), end, others.end(), comes_before);
+    nearest[i].assign(others.begin(), end);
   }
   return nearest;
 }
 
-class LocalRepair {
-public:
-  LocalRepair(const HubSurface& hubs, const SampleMap& map) : hubs_(hubs), map_(map), near_(nearestHubs(hubs)) {}
+/** Area of a triangle of hubs, doubled, and how much of it the map turns over: all, or none (the negative). */
+struct TurnedTriangle {
+  float area;
+  float reversed;
+};
 
-  SampleMap
-  run(const std::vector<bool>& sound)
-  {
-    placed_ = sound;
-    static const std::size_t far = getenv("FAR") ? atoi(getenv("FAR")) : 24;
-    for (std::size_t i = 0; i < sound.size() && far_.size() < far; ++i) {
-      if (sound[i]) {
-        far_.push_back(static_cast<Index>(i));
+TurnedTriangle
+turnTriangle(const HubSurface& hubs, const SampleMap& map, const Triangle& t)
+{
+  const Vector3& p = hubs.points[t[0]];
+  const float area = norm(cross(hubs.points[t[1]] - p, hubs.points[t[2]] - p));
+  const Triangle image{map[t[0]], map[t[1]], map[t[2]]};
+  const Vector3& q = hubs.points[image[0]];
+  const Vector3 facing = cross(hubs.points[image[1]] - q, hubs.points[image[2]] - q);
+  const Vector3 normal = normalized(hubs.normals[image[0]] + hubs.normals[image[1]] + hubs.normals[image[2]]);
+  return {area, std::clamp(-dot(facing, normal), -area, area)};
+}
+
+/** Triangles that share a corner with the triangles at a hub, ascending. */
+std::vector<std::size_t>
+trianglesWithinTwoSteps(const HubSurface& hubs, const std::vector<std::vector<std::size_t>>& at_hub, std::size_t hub)
+{
+  std::vector<std::size_t> patch;
+  for (const std::size_t t : at_hub[hub]) {
+    for (const Index corner : hubs.triangles[t]) {
+      patch.insert(patch.end(), at_hub[corner].begin(), at_hub[corner].end());
+    }
+  }
+  std::sort(patch.begin(), patch.end());
+  patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
+  return patch;
+}
+
+/** Hubs to be placed anew: where the map clearly keeps the orientation, and the uncertain ones around. */
+std::vector<bool>
+unsoundHubs(const std::vector<std::vector<Index>>& nearest, const std::vector<float>& reversal)
+{
+  constexpr float kept = -0.2F;
+  constexpr float uncertain = 0.3F;
+  constexpr int rings = 2;
+  constexpr std::size_t adjacent = 6;
+  std::vector<bool> unsound(reversal.size());
+  for (std::size_t i = 0; i < reversal.size(); ++i) {
+    unsound[i] = reversal[i] <= kept;
+  }
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<bool> inner = unsound;
+    for (std::size_t i = 0; i < reversal.size(); ++i) {
+      const auto end = nearest[i].begin() + static_cast<std::ptrdiff_t>(std::min(adjacent, nearest[i].size()));
+      if (reversal[i] < uncertain && std::any_of(nearest[i].begin(), end, [&](Index j) { return inner[j]; })) {
+        unsound[i] = true;
       }
     }
+  }
+  return unsound;
+}
+
+/** Places hubs by their distances to those that have a place. */
+class LocalPlacement {
+public:
+  LocalPlacement(const HubSurface& hubs,
+                 const std::vector<std::vector<Index>>& nearest,
+                 const std::vector<bool>& unsound,
+                 SampleMap map)
+      : hubs_(hubs), nearest_(nearest), map_(std::move(map)), placed_(map_.size())
+  {
+    constexpr std::size_t most_anchors = 24;
+    for (std::size_t i = 0; i < map_.size(); ++i) {
+      placed_[i] = !unsound[i];
+      if (placed_[i] && anchors_.size() < most_anchors) {
+        anchors_.push_back(static_cast<Index>(i));
+      }
+    }
+  }
+
+  SampleMap
+  run()
+  {
     std::vector<Index> order;
-    for (Index next = nextHub(); next != no_index; next = nextHub()) {
+    for (Index next = mostEnclosed(); next != no_index; next = mostEnclosed()) {
       order.push_back(next);
       map_[next] = bestImage(next, imagesAround(next));
       placed_[next] = true;
     }
-    for (int round = 0; round < 3; ++round) {
+    // Those placed first did not know of the later ones yet.
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round) {
       for (const Index hub : order) {
-        std::vector<Index> candidates = near_[map_[hub]];
-        candidates.push_back(map_[hub]);
+        std::vector<Index> candidates = nearest_[map_[hub]];
+        candidates.insert(candidates.begin(), map_[hub]);
         map_[hub] = bestImage(hub, candidates);
       }
     }
-    return map_;
+    return std::move(map_);
   }
 
 private:
-  /** The hub with the most placed neighbours. */
+  /** The hub without a place that has the most placed neighbours; none where there are no neighbours. */
   Index
-  nextHub() const
+  mostEnclosed() const
   {
     Index best = no_index;
-    std::size_t most = 0;
+    std::ptrdiff_t most = 0;
     for (std::size_t i = 0; i < map_.size(); ++i) {
       if (!placed_[i]) {
-        const auto count = static_cast<std::size_t>(
-            std::count_if(near_[i].begin(), near_[i].end(), [&](Index j) { return placed_[j]; }));
+        const std::ptrdiff_t count =
+            std::count_if(nearest_[i].begin(), nearest_[i].end(), [&](Index j) { return placed_[j]; });
         if (count > most) {
           most = count;
           best = static_cast<Index>(i);
@@ -87,19 +147,30 @@ private:
     return best;
   }
 
+  /** Images of the placed neighbours and the hubs around them. */
   std::vector<Index>
   imagesAround(Index hub) const
   {
     std::vector<Index> images;
-    for (const Index j : near_[hub]) {
+    for (const Index j : nearest_[hub]) {
       if (placed_[j]) {
+        const std::vector<Index>& around = nearest_[map_[j]];
         images.push_back(map_[j]);
-        images.insert(images.end(), near_[map_[j]].begin(), near_[map_[j]].end());
+        images.insert(images.end(), around.begin(), around.end());
       }
     }
     std::sort(images.begin(), images.end());
     images.erase(std::unique(images.begin(), images.end()), images.end());
     return images;
+  }
+
+  /** Squared change of the distance to another hub, over that distance: near ones are the more reliable. */
+  float
+  changeOf(Index hub, Index image, Index other) const
+  {
+    const float wanted = hubs_.distances(hub, other);
+    const float change = wanted - hubs_.distances(image, map_[other]);
+    return change * change / (wanted + 1e-3F * hubs_.diameter);
   }
 
   Index
@@ -109,17 +180,11 @@ private:
     float least = std::numeric_limits<float>::infinity();
     for (const Index candidate : candidates) {
       float cost = 0.0F;
-      for (const Index j : near_[hub]) {
-        if (placed_[j]) {
-          const float wanted = hubs_.distances(hub, j);
-          const float change = wanted - hubs_.distances(candidate, map_[j]);
-          cost += change * change / wanted;
-        }
+      for (const Index j : nearest_[hub]) {
+        cost += placed_[j] ? changeOf(hub, candidate, j) : 0.0F;
       }
-      for (const Index j : far_) {
-        const float wanted = hubs_.distances(hub, j);
-        const float change = wanted - hubs_.distances(candidate, map_[j]);
-        cost += change * change / (wanted + 1e-3F * hubs_.diameter);
+      for (const Index j : anchors_) {
+        cost += changeOf(hub, candidate, j);
       }
       if (cost < least) {
         least = cost;
@@ -130,10 +195,10 @@ private:
   }
 
   const HubSurface& hubs_;
+  const std::vector<std::vector<Index>>& nearest_;
   SampleMap map_;
-  std::vector<std::vector<Index>> near_;
   std::vector<bool> placed_;
-  std::vector<Index> far_; ///< sound hubs all over the surface
+  std::vector<Index> anchors_; ///< sound hubs all over the surface
 };
 
 } // namespace
@@ -141,82 +206,39 @@ private:
 std::vector<float>
 reversalAtHubs(const HubSurface& hubs, const SampleMap& map)
 {
-  std::vector<float> reversed(hubs.size(), 0.0F);
-  std::vector<float> total(hubs.size(), 0.0F);
   std::vector<std::vector<std::size_t>> at_hub(hubs.size());
-  std::vector<float> turned(hubs.triangles.size());
-  std::vector<float> areas(hubs.triangles.size());
-  for (std::size_t k = 0; k < hubs.triangles.size(); ++k) {
-    const Triangle& t = hubs.triangles[k];
-    const Vector3& p = hubs.points[t[0]];
-    const Vector3 facing0 = cross(hubs.points[t[1]] - p, hubs.points[t[2]] - p);
-    const float area = norm(facing0);
-    const Vector3& q = hubs.points[map[t[0]]];
-    const Vector3 facing = cross(hubs.points[map[t[1]]] - q, hubs.points[map[t[2]]] - q);
-    const Vector3 normal = normalized(hubs.normals[map[t[0]]] + hubs.normals[map[t[1]]] + hubs.normals[map[t[2]]]);
-    turned[k] = std::clamp(-dot(facing, normal), -area, area);
-    areas[k] = area;
-    for (const Index v : t) {
-      at_hub[v].push_back(k);
+  std::vector<TurnedTriangle> turned;
+  for (std::size_t t = 0; t < hubs.triangles.size(); ++t) {
+    turned.push_back(turnTriangle(hubs, map, hubs.triangles[t]));
+    for (const Index corner : hubs.triangles[t]) {
+      at_hub[corner].push_back(t);
     }
   }
+  std::vector<float> reversal(hubs.size(), 0.0F);
   for (std::size_t i = 0; i < hubs.size(); ++i) {
-    std::vector<std::size_t> patch;
-    for (const std::size_t k : at_hub[i]) {
-      for (const Index v : hubs.triangles[k]) {
-        patch.insert(patch.end(), at_hub[v].begin(), at_hub[v].end());
-      }
+    float reversed = 0.0F;
+    float area = 0.0F;
+    for (const std::size_t t : trianglesWithinTwoSteps(hubs, at_hub, i)) {
+      reversed += turned[t].reversed;
+      area += turned[t].area;
     }
-    std::sort(patch.begin(), patch.end());
-    patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
-    for (const std::size_t k : patch) {
-      reversed[i] += turned[k];
-      total[i] += areas[k];
-    }
-    reversed[i] = total[i] > 0.0F ? reversed[i] / total[i] : 0.0F;
+    reversal[i] = area > 0.0F ? reversed / area : 0.0F;
   }
-  return reversed;
+  return reversal;
 }
 
 SampleMap
 repairedMap(const HubSurface& hubs, const SampleMap& map)
 {
-  static const float core = static_cast<float>(getenv("LR") ? atof(getenv("LR")) : -0.2F);
-  static const float rim = static_cast<float>(getenv("RIM") ? atof(getenv("RIM")) : 0.3F);
-  static const int grow = getenv("GROW") ? atoi(getenv("GROW")) : 2;
+  constexpr std::size_t neighbours = 24;
   const std::vector<float> reversal = reversalAtHubs(hubs, map);
-  const auto near = nearestHubs(hubs);
-  std::vector<bool> sound(map.size());
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    sound[i] = reversal[i] > core;
-  }
-  for (int g = 0; g < grow; ++g) {
-    std::vector<bool> grown = sound;
-    for (std::size_t i = 0; i < map.size(); ++i) {
-      if (sound[i] && reversal[i] < rim) {
-        for (std::size_t k = 0; k < 6 && k < near[i].size(); ++k) {
-          if (!sound[near[i][k]]) {
-            grown[i] = false;
-          }
-        }
-      }
-    }
-    sound = grown;
-  }
-  const auto count = static_cast<std::size_t>(std::count(sound.begin(), sound.end(), true));
-  if (getenv("DBG")) {
-    std::vector<int> h(11, 0);
-    for (float r : reversal)
-      h[static_cast<int>((r + 1) * 5)]++;
-    fprintf(stderr, "sound %zu of %zu:", count, map.size());
-    for (int x : h)
-      fprintf(stderr, " %d", x);
-    fprintf(stderr, "\n");
-  }
-  if (count == map.size() || 2 * count < map.size()) {
+  const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, neighbours);
+  const std::vector<bool> unsound = unsoundHubs(nearest, reversal);
+  const auto count = static_cast<std::size_t>(std::count(unsound.begin(), unsound.end(), true));
+  if (count == 0 || 2 * count > map.size()) {
     return {};
   }
-  return LocalRepair(hubs, map).run(sound);
+  return LocalPlacement(hubs, nearest, unsound, map).run();
 }
 
 } // namespace symmetry

@@ -2,8 +2,6 @@
 
 #include "geodesic/parallel.h"
 #include "symmetry/map_repair.h"
-#include <cstdio>
-#include <cstdlib>
 
 #include <algorithm>
 
@@ -103,25 +101,21 @@ public:
     return result;
   }
 
+  /** Derives anew what the map does not turn over. Only the last step of the refinement follows: the lower ones do not
+   * see the parts that this is about. */
   void
-  repairParts(SymmetryCandidate& candidate) const
+  mend(SymmetryCandidate& candidate) const
   {
-    SymmetryCandidate result = candidate;
-    result.map = repairedMap(hubs_, candidate.map);
-    if (result.map.empty()) {
+    SymmetryCandidate mended;
+    mended.source = candidate.source;
+    mended.map = repairedMap(hubs_, candidate.map);
+    if (mended.map.empty()) {
       return;
     }
-    result.score = scoreMap(hubs_, descriptor_, result.map, settings_.coarse_targets, settings_.score);
-    const auto raw = result.score;
-    result.matrix = last_step_.refine(result.map);
-    result.score = scoreMap(hubs_, descriptor_, result.map, settings_.coarse_targets, settings_.score);
-    if (getenv("DBG")) {
-      for (const auto& z : {candidate.score, raw, result.score})
-        fprintf(stderr, "  val %.3f iso %.4f inv %.4f disp %.3f fix %.3f rev %.3f cur %.3f\n", z.value, z.isometry,
-                z.involution, z.displacement, z.fixed, z.reversal, z.curvature);
-    }
-    if (result.score.value < candidate.score.value) {
-      candidate = result;
+    mended.matrix = last_step_.refine(mended.map);
+    mended.score = scoreMap(hubs_, descriptor_, mended.map, settings_.coarse_targets, settings_.score);
+    if (mended.score.value < candidate.score.value) {
+      candidate = std::move(mended);
     }
   }
 
@@ -218,8 +212,8 @@ searchSymmetries(const CoarseSurface& surface,
     candidates[candidates.size() - repaired + i] = refinement.repaired(candidates[i]);
   });
   sortByScore(candidates);
-  static const std::size_t parts = getenv("PARTS") ? atoi(getenv("PARTS")) : 1;
-  parallelFor(std::min(parts, candidates.size()), threads, [&](std::size_t i) { refinement.repairParts(candidates[i]); });
+  parallelFor(std::min(settings.mended, candidates.size()), threads,
+              [&](std::size_t i) { refinement.mend(candidates[i]); });
   sortByScore(candidates);
   return keepDistinct(std::move(candidates), hubs, settings.distinct, settings.refined);
 }
