@@ -19,6 +19,16 @@ namespace symmetry {
 std::vector<float>
 reversalAtHubs(const HubSurface& hubs, const SampleMap& map);
 
+/** \brief Mean change of the distances to the hubs around every hub under a map, as a share of those distances. */
+std::vector<float>
+stretchAtHubs(const HubSurface& hubs, const SampleMap& map);
+
+/** \brief Places hubs at which a map tears the surface (stretch more than twice the median) anew, each where its
+ * distances to the hubs around it come out best. Heals tears for which the surface gives no reason; where one side has
+ * a part that the other lacks, what is gained nearby is lost in distances to all others or in the involution. */
+SampleMap
+relaxedMap(const HubSurface& hubs, const SampleMap& map);
+
 /** \brief Derives a map anew wherever it keeps the orientation.
  *
  * The lowest eigenfunctions hardly see a part behind a thin neck (a head), so that a map may leave it as it is or turn

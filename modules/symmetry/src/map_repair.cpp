@@ -3,12 +3,15 @@
 #include "geodesic/vector_math.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr std::size_t placement_neighbours = 24;
 
 /** The hubs nearest to each hub, nearest first, without itself. */
 std::vector<std::vector<Index>>
@@ -227,12 +230,45 @@ reversalAtHubs(const HubSurface& hubs, const SampleMap& map)
   return reversal;
 }
 
+std::vector<float>
+stretchAtHubs(const HubSurface& hubs, const SampleMap& map)
+{
+  constexpr std::size_t around = 30;
+  const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, around);
+  std::vector<float> stretch(hubs.size(), 0.0F);
+  for (std::size_t i = 0; i < hubs.size(); ++i) {
+    float change = 0.0F;
+    float length = 0.0F;
+    for (const Index j : nearest[i]) {
+      const float wanted = hubs.distances(static_cast<Eigen::Index>(i), j);
+      change += std::abs(wanted - hubs.distances(map[i], map[j]));
+      length += wanted;
+    }
+    stretch[i] = length > 0.0F ? change / length : 0.0F;
+  }
+  return stretch;
+}
+
+SampleMap
+relaxedMap(const HubSurface& hubs, const SampleMap& map)
+{
+  const std::vector<float> stretch = stretchAtHubs(hubs, map);
+  std::vector<float> sorted = stretch;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  std::vector<bool> torn(map.size());
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    torn[i] = stretch[i] > 2.0F * *middle;
+  }
+  const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, placement_neighbours);
+  return LocalPlacement(hubs, nearest, torn, map).run();
+}
+
 SampleMap
 repairedMap(const HubSurface& hubs, const SampleMap& map)
 {
-  constexpr std::size_t neighbours = 24;
   const std::vector<float> reversal = reversalAtHubs(hubs, map);
-  const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, neighbours);
+  const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, placement_neighbours);
   const std::vector<bool> unsound = unsoundHubs(nearest, reversal);
   const auto count = static_cast<std::size_t>(std::count(unsound.begin(), unsound.end(), true));
   if (count == 0 || 2 * count > map.size()) {

@@ -3,6 +3,7 @@
 #include "geodesic/parallel.h"
 #include "geodesic/shortest_paths.h"
 #include "symmetry/hub_regions.h"
+#include "symmetry/map_asymmetry.h"
 #include "symmetry/map_confidence.h"
 #include "symmetry/pair_votes.h"
 #include "symmetry/point_map.h"
@@ -202,8 +203,13 @@ estimateRobust(const PreparedSurface& surface,
     return estimate;
   }
   const SymmetryCandidate& best = candidates[0];
-  estimate.confidence = reflectionConfidence(best.score);
+  const float asymmetry_of_best = asymmetry(findAsymmetry(model.hubs, best.map), best.score.curvature);
+  estimate.confidence = reflectionConfidence(best.score) * symmetryConfidence(asymmetry_of_best);
   if (!isReflection(best.score)) {
+    return estimate;
+  }
+  if (isAsymmetric(asymmetry_of_best)) {
+    estimate.message = "the best reflection of the surface fails in one place: one side has what the other lacks";
     return estimate;
   }
   estimate.status = SymmetryStatus::Symmetric;
