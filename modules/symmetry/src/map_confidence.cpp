@@ -35,8 +35,8 @@ symmetryConfidence(float asymmetry)
 bool
 isAsymmetric(float asymmetry)
 {
-  // Half of the symmetric surfaces are below -10; noisy scans with folded parts come up to -5.
-  constexpr float largest = -5.3F;
+  // Half of the symmetric surfaces are below -10; scans whose limbs are glued to each other come up to -4.
+  constexpr float largest = -4.0F;
   return asymmetry > largest;
 }
 
