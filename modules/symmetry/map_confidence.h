@@ -19,6 +19,14 @@ reflectionConfidence(const MapScore& score);
 bool
 isReflection(const MapScore& score);
 
+/** \brief Share of the confidence of a map that its asymmetry leaves: a logistic function of asymmetry (). */
+float
+symmetryConfidence(float asymmetry);
+
+/** \brief Whether one side of the surface has too much that the other lacks. */
+bool
+isAsymmetric(float asymmetry);
+
 /** \brief Confidence of every point: that of the map, lowered where distances to other samples change.
  *
  * At sample i the mean change |d (i, j) - d (m (i), m (j))| over the hubs j, share of the diameter, divides the map's

@@ -20,6 +20,8 @@ struct RobustSettings {
   int eigenfunctions = 60;
   SearchSettings search;
   std::vector<int> final_levels{40, 50, 60}; ///< eigenfunctions used by the refinement on all samples
+  int final_guide_dimensions = 14;           ///< spectral coordinates in the orientation part of its guide
+  float final_guidance = 1.5F;               ///< weight of the local parts of the descriptor in it
 };
 
 /** \brief Finds the symmetric map of any connected surface.

@@ -28,7 +28,8 @@ struct SearchSettings {
   int guide_dimensions = 10;                   ///< spectral coordinates in the orientation part of the guide
   float guidance = 0.5F;                       ///< weight of the local parts of the descriptor in the refinement
   std::size_t repaired = 6; ///< best candidates whose weak parts are derived anew from their strong ones
-  float distinct = 0.06F;   ///< maps that differ less on average (share of the diameter) count as one
+  std::size_t mended = 2; ///< best candidates whose parts that are not turned over are derived anew from what is around
+  float distinct = 0.06F; ///< maps that differ less on average (share of the diameter) count as one
 };
 
 /** \brief A refined map of the hubs. */

@@ -24,6 +24,22 @@ isReflection(const MapScore& score)
          score.curvature <= largest_curvature && score.distorted <= most_distorted;
 }
 
+float
+symmetryConfidence(float asymmetry)
+{
+  constexpr float even = -6.3F; // between the medians of wrong maps and of bodies that lack a limb
+  constexpr float slope = 1.2F;
+  return 1.0F / (1.0F + std::exp(slope * (asymmetry - even)));
+}
+
+bool
+isAsymmetric(float asymmetry)
+{
+  // Half of the symmetric surfaces are below -10; scans whose limbs are glued to each other come up to -4.
+  constexpr float largest = -4.0F;
+  return asymmetry > largest;
+}
+
 std::vector<float>
 pointConfidences(const HubSurface& hubs,
                  const CoarseSurface& coarse,

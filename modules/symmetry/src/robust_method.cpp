@@ -3,6 +3,7 @@
 #include "geodesic/parallel.h"
 #include "geodesic/shortest_paths.h"
 #include "symmetry/hub_regions.h"
+#include "symmetry/map_asymmetry.h"
 #include "symmetry/map_confidence.h"
 #include "symmetry/pair_votes.h"
 #include "symmetry/point_map.h"
@@ -50,7 +51,11 @@ refineOnAllSamples(const SurfaceModel& model,
   const Eigen::MatrixXf functions = model.basis.functions.leftCols(candidate.matrix.cols());
   SampleEstimate estimate;
   estimate.map = nearestRows(functions * candidate.matrix, functions);
-  const UpwardRefinement refinement(model.basis.functions, count, settings.final_levels);
+  DescriptorWeights weights = settings.search.descriptor;
+  weights.oriented_dimensions = settings.final_guide_dimensions;
+  const ShapeDescriptor guide = describeShape(model.coarse, model.basis, settings.final_guide_dimensions, weights);
+  const UpwardRefinement refinement(model.basis.functions, guide, count, settings.final_levels,
+                                    settings.final_guidance);
   estimate.matrix = refinement.refine(estimate.map);
   estimate.partners = partnersOfSamples(model.coarse, model.basis, transfer.interpolation, transfer.members,
                                         estimate.map, estimate.matrix, threads);
@@ -202,8 +207,13 @@ estimateRobust(const PreparedSurface& surface,
     return estimate;
   }
   const SymmetryCandidate& best = candidates[0];
-  estimate.confidence = reflectionConfidence(best.score);
+  const float asymmetry_of_best = asymmetry(findAsymmetry(model.hubs, best.map), best.score.curvature);
+  estimate.confidence = reflectionConfidence(best.score) * symmetryConfidence(asymmetry_of_best);
   if (!isReflection(best.score)) {
+    return estimate;
+  }
+  if (isAsymmetric(asymmetry_of_best)) {
+    estimate.message = "the best reflection of the surface fails in one place: one side has what the other lacks";
     return estimate;
   }
   estimate.status = SymmetryStatus::Symmetric;

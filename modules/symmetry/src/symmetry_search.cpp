@@ -1,6 +1,7 @@
 #include "symmetry/symmetry_search.h"
 
 #include "geodesic/parallel.h"
+#include "symmetry/map_repair.h"
 
 #include <algorithm>
 
@@ -67,7 +68,8 @@ public:
         settings_(settings),
         guide_(describeShape(surface, basis, settings.guide_dimensions, guideWeights(settings))),
         targets_(descriptor.joined(count())),
-        refinement_(basis.functions, guide_, count(), settings.levels, settings.guidance)
+        refinement_(basis.functions, guide_, count(), settings.levels, settings.guidance),
+        last_step_(basis.functions, guide_, count(), {settings.levels.back()}, settings.guidance)
   {
   }
 
@@ -97,6 +99,24 @@ public:
     result.map = nearestRows(from, to);
     finish(result);
     return result;
+  }
+
+  /** Derives anew what the map does not turn over. Only the last step of the refinement follows: the lower ones do not
+   * see the parts that this is about. */
+  void
+  mend(SymmetryCandidate& candidate) const
+  {
+    SymmetryCandidate mended;
+    mended.source = candidate.source;
+    mended.map = repairedMap(hubs_, candidate.map);
+    if (mended.map.empty()) {
+      return;
+    }
+    mended.matrix = last_step_.refine(mended.map);
+    mended.score = scoreMap(hubs_, descriptor_, mended.map, settings_.coarse_targets, settings_.score);
+    if (mended.score.value < candidate.score.value) {
+      candidate = std::move(mended);
+    }
   }
 
 private:
@@ -144,6 +164,7 @@ private:
   ShapeDescriptor guide_;
   Eigen::MatrixXf targets_;
   UpwardRefinement refinement_;
+  UpwardRefinement last_step_;
 };
 
 std::vector<SymmetryHypothesis>
@@ -190,6 +211,9 @@ searchSymmetries(const CoarseSurface& surface,
   parallelFor(repaired, threads, [&](std::size_t i) {
     candidates[candidates.size() - repaired + i] = refinement.repaired(candidates[i]);
   });
+  sortByScore(candidates);
+  parallelFor(std::min(settings.mended, candidates.size()), threads,
+              [&](std::size_t i) { refinement.mend(candidates[i]); });
   sortByScore(candidates);
   return keepDistinct(std::move(candidates), hubs, settings.distinct, settings.refined);
 }

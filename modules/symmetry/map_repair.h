@@ -1,0 +1,44 @@
+/** \file
+ * \brief Local repair of a map that is a reflection on most of a surface, but not on all of it.
+ */
+#pragma once
+
+#include "symmetry/functional_map.h"
+#include "symmetry/hub_surface.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief How far a map turns the surface over around every hub: from -1 (nowhere, as a rotation) to 1 (everywhere).
+ *
+ * Mean over the triangles within two steps of the hub, by area; an image counts by its own area, at most by that of the
+ * original, so that the slivers that sampling noise turns over do not. 0 where there are no triangles.
+ */
+std::vector<float>
+reversalAtHubs(const HubSurface& hubs, const SampleMap& map);
+
+/** \brief Mean change of the distances to the hubs around every hub under a map, as a share of those distances. */
+std::vector<float>
+stretchAtHubs(const HubSurface& hubs, const SampleMap& map);
+
+/** \brief Places hubs at which a map tears the surface (stretch more than twice the median) anew, each where its
+ * distances to the hubs around it come out best. Heals tears for which the surface gives no reason; where one side has
+ * a part that the other lacks, what is gained nearby is lost in distances to all others or in the involution. */
+SampleMap
+relaxedMap(const HubSurface& hubs, const SampleMap& map);
+
+/** \brief Derives a map anew wherever it keeps the orientation.
+ *
+ * The lowest eigenfunctions hardly see a part behind a thin neck (a head), so that a map may leave it as it is or turn
+ * it while it mirrors all the rest. From what is sound around such a part, hub after hub is placed where its distances
+ * to the hubs around it that have a place already come out best; distances to a few sound hubs all over the surface
+ * keep the growing part from folding back.
+ * \return empty where there is nothing to repair, or not enough to start from
+ */
+SampleMap
+repairedMap(const HubSurface& hubs, const SampleMap& map);
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,281 @@
+#include "symmetry/map_repair.h"
+
+#include "geodesic/vector_math.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+constexpr std::size_t placement_neighbours = 24;
+
+/** The hubs nearest to each hub, nearest first, without itself. */
+std::vector<std::vector<Index>>
+nearestHubs(const HubSurface& hubs, std::size_t count)
+{
+  std::vector<std::vector<Index>> nearest(hubs.size());
+  std::vector<Index> order(hubs.size());
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t i = 0; i < hubs.size(); ++i) {
+    const auto from = hubs.distances.col(static_cast<Eigen::Index>(i));
+    const auto comes_before = [&](Index a, Index b) {
+      return from(a) < from(b) || (from(a) == from(b) && a < b);
+    };
+    std::vector<Index> others = order;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto end = others.begin() + static_cast<std::ptrdiff_t>(std::min(count, others.size()));
+    std::partial_sort(others.begin(), end, others.end(), comes_before);
+    nearest[i].assign(others.begin(), end);
+  }
+  return nearest;
+}
+
+/** Area of a triangle of hubs, doubled, and how much of it the map turns over: all, or none (the negative). */
+struct TurnedTriangle {
+  float area;
+  float reversed;
+};
+
+TurnedTriangle
+turnTriangle(const HubSurface& hubs, const SampleMap& map, const Triangle& t)
+{
+  const Vector3& p = hubs.points[t[0]];
+  const float area = norm(cross(hubs.points[t[1]] - p, hubs.points[t[2]] - p));
+  const Triangle image{map[t[0]], map[t[1]], map[t[2]]};
+  const Vector3& q = hubs.points[image[0]];
+  const Vector3 facing = cross(hubs.points[image[1]] - q, hubs.points[image[2]] - q);
+  const Vector3 normal = normalized(hubs.normals[image[0]] + hubs.normals[image[1]] + hubs.normals[image[2]]);
+  return {area, std::clamp(-dot(facing, normal), -area, area)};
+}
+
+/** Triangles that share a corner with the triangles at a hub, ascending. */
+std::vector<std::size_t>
+trianglesWithinTwoSteps(const HubSurface& hubs, const std::vector<std::vector<std::size_t>>& at_hub, std::size_t hub)
+{
+  std::vector<std::size_t> patch;
+  for (const std::size_t t : at_hub[hub]) {
+    for (const Index corner : hubs.triangles[t]) {
+      patch.insert(patch.end(), at_hub[corner].begin(), at_hub[corner].end());
+    }
+  }
+  std::sort(patch.begin(), patch.end());
+  patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
+  return patch;
+}
+
+/** Hubs to be placed anew: where the map clearly keeps the orientation, and the uncertain ones around. */
+std::vector<bool>
+unsoundHubs(const std::vector<std::vector<Index>>& nearest, const std::vector<float>& reversal)
+{
+  constexpr float kept = -0.2F;
+  constexpr float uncertain = 0.3F;
+  constexpr int rings = 2;
+  constexpr std::size_t adjacent = 6;
+  std::vector<bool> unsound(reversal.size());
+  for (std::size_t i = 0; i < reversal.size(); ++i) {
+    unsound[i] = reversal[i] <= kept;
+  }
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<bool> inner = unsound;
+    for (std::size_t i = 0; i < reversal.size(); ++i) {
+      const auto end = nearest[i].begin() + static_cast<std::ptrdiff_t>(std::min(adjacent, nearest[i].size()));
+      if (reversal[i] < uncertain && std::any_of(nearest[i].begin(), end, [&](Index j) { return inner[j]; })) {
+        unsound[i] = true;
+      }
+    }
+  }
+  return unsound;
+}
+
+/** Places hubs by their distances to those that have a place. */
+class LocalPlacement {
+public:
+  LocalPlacement(const HubSurface& hubs,
+                 const std::vector<std::vector<Index>>& nearest,
+                 const std::vector<bool>& unsound,
+                 SampleMap map)
+      : hubs_(hubs), nearest_(nearest), map_(std::move(map)), placed_(map_.size())
+  {
+    constexpr std::size_t most_anchors = 24;
+    for (std::size_t i = 0; i < map_.size(); ++i) {
+      placed_[i] = !unsound[i];
+      if (placed_[i] && anchors_.size() < most_anchors) {
+        anchors_.push_back(static_cast<Index>(i));
+      }
+    }
+  }
+
+  SampleMap
+  run()
+  {
+    std::vector<Index> order;
+    for (Index next = mostEnclosed(); next != no_index; next = mostEnclosed()) {
+      order.push_back(next);
+      map_[next] = bestImage(next, imagesAround(next));
+      placed_[next] = true;
+    }
+    // Those placed first did not know of the later ones yet.
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round) {
+      for (const Index hub : order) {
+        std::vector<Index> candidates = nearest_[map_[hub]];
+        candidates.insert(candidates.begin(), map_[hub]);
+        map_[hub] = bestImage(hub, candidates);
+      }
+    }
+    return std::move(map_);
+  }
+
+private:
+  /** The hub without a place that has the most placed neighbours; none where there are no neighbours. */
+  Index
+  mostEnclosed() const
+  {
+    Index best = no_index;
+    std::ptrdiff_t most = 0;
+    for (std::size_t i = 0; i < map_.size(); ++i) {
+      if (!placed_[i]) {
+        const std::ptrdiff_t count =
+            std::count_if(nearest_[i].begin(), nearest_[i].end(), [&](Index j) { return placed_[j]; });
+        if (count > most) {
+          most = count;
+          best = static_cast<Index>(i);
+        }
+      }
+    }
+    return best;
+  }
+
+  /** Images of the placed neighbours and the hubs around them. */
+  std::vector<Index>
+  imagesAround(Index hub) const
+  {
+    std::vector<Index> images;
+    for (const Index j : nearest_[hub]) {
+      if (placed_[j]) {
+        const std::vector<Index>& around = nearest_[map_[j]];
+        images.push_back(map_[j]);
+        images.insert(images.end(), around.begin(), around.end());
+      }
+    }
+    std::sort(images.begin(), images.end());
+    images.erase(std::unique(images.begin(), images.end()), images.end());
+    return images;
+  }
+
+  /** Squared change of the distance to another hub, over that distance: near ones are the more reliable. */
+  float
+  changeOf(Index hub, Index image, Index other) const
+  {
+    const float wanted = hubs_.distances(hub, other);
+    const float change = wanted - hubs_.distances(image, map_[other]);
+    return change * change / (wanted + 1e-3F * hubs_.diameter);
+  }
+
+  Index
+  bestImage(Index hub, const std::vector<Index>& candidates) const
+  {
+    Index best = map_[hub];
+    float least = std::numeric_limits<float>::infinity();
+    for (const Index candidate : candidates) {
+      float cost = 0.0F;
+      for (const Index j : nearest_[hub]) {
+        cost += placed_[j] ? changeOf(hub, candidate, j) : 0.0F;
+      }
+      for (const Index j : anchors_) {
+        cost += changeOf(hub, candidate, j);
+      }
+      if (cost < least) {
+        least = cost;
+        best = candidate;
+      }
+    }
+    return best;
+  }
+
+  const HubSurface& hubs_;
+  const std::vector<std::vector<Index>>& nearest_;
+  SampleMap map_;
+  std::vector<bool> placed_;
+  std::vector<Index> anchors_; ///< sound hubs all over the surface
+};
+
+} // namespace
+
+std::vector<float>
+reversalAtHubs(const HubSurface& hubs, const SampleMap& map)
+{
+  std::vector<std::vector<std::size_t>> at_hub(hubs.size());
+  std::vector<TurnedTriangle> turned;
+  for (std::size_t t = 0; t < hubs.triangles.size(); ++t) {
+    turned.push_back(turnTriangle(hubs, map, hubs.triangles[t]));
+    for (const Index corner : hubs.triangles[t]) {
+      at_hub[corner].push_back(t);
+    }
+  }
+  std::vector<float> reversal(hubs.size(), 0.0F);
+  for (std::size_t i = 0; i < hubs.size(); ++i) {
+    float reversed = 0.0F;
+    float area = 0.0F;
+    for (const std::size_t t : trianglesWithinTwoSteps(hubs, at_hub, i)) {
+      reversed += turned[t].reversed;
+      area += turned[t].area;
+    }
+    reversal[i] = area > 0.0F ? reversed / area : 0.0F;
+  }
+  return reversal;
+}
+
+std::vector<float>
+stretchAtHubs(const HubSurface& hubs, const SampleMap& map)
+{
+  constexpr std::size_t around = 30;
+  const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, around);
+  std::vector<float> stretch(hubs.size(), 0.0F);
+  for (std::size_t i = 0; i < hubs.size(); ++i) {
+    float change = 0.0F;
+    float length = 0.0F;
+    for (const Index j : nearest[i]) {
+      const float wanted = hubs.distances(static_cast<Eigen::Index>(i), j);
+      change += std::abs(wanted - hubs.distances(map[i], map[j]));
+      length += wanted;
+    }
+    stretch[i] = length > 0.0F ? change / length : 0.0F;
+  }
+  return stretch;
+}
+
+SampleMap
+relaxedMap(const HubSurface& hubs, const SampleMap& map)
+{
+  const std::vector<float> stretch = stretchAtHubs(hubs, map);
+  std::vector<float> sorted = stretch;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  std::vector<bool> torn(map.size());
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    torn[i] = stretch[i] > 2.0F * *middle;
+  }
+  const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, placement_neighbours);
+  return LocalPlacement(hubs, nearest, torn, map).run();
+}
+
+SampleMap
+repairedMap(const HubSurface& hubs, const SampleMap& map)
+{
+  const std::vector<float> reversal = reversalAtHubs(hubs, map);
+  const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, placement_neighbours);
+  const std::vector<bool> unsound = unsoundHubs(nearest, reversal);
+  const auto count = static_cast<std::size_t>(std::count(unsound.begin(), unsound.end(), true));
+  if (count == 0 || 2 * count > map.size()) {
+    return {};
+  }
+  return LocalPlacement(hubs, nearest, unsound, map).run();
+}
+
+} // namespace symmetry
+} // namespace pcl
