@@ -49,9 +49,9 @@ refineOnAllSamples(const SurfaceModel& model,
   const auto count = static_cast<Eigen::Index>(model.coarse.size());
   const Eigen::MatrixXf functions = model.basis.functions.leftCols(candidate.matrix.cols());
   SampleEstimate estimate;
-  estimate.map = nearestRows(functions * candidate.matrix, functions);
+  estimate.map = nearestRows(functions * candidate.matrix, functions, threads);
   const UpwardRefinement refinement(model.basis.functions, count, settings.final_levels);
-  estimate.matrix = refinement.refine(estimate.map);
+  estimate.matrix = refinement.refine(estimate.map, threads);
   estimate.partners = partnersOfSamples(model.coarse, model.basis, transfer.interpolation, transfer.members,
                                         estimate.map, estimate.matrix, threads);
   return estimate;
