@@ -20,6 +20,9 @@ constexpr std::size_t kernel_lanes = 16;
 /** \brief Queries that nearest_rows takes at a time. */
 constexpr std::size_t kernel_queries = 12;
 
+/** \brief Rows of min_plus are a multiple of this. */
+constexpr std::size_t min_plus_rows = 4;
+
 struct KernelTable {
   /** \brief For each of kernel_queries vectors the target t of the least half_norm (t) - target (t) . query.
    *
@@ -36,6 +39,27 @@ struct KernelTable {
                        std::size_t blocks,
                        std::size_t dimensions,
                        std::int32_t* nearest);
+
+  /** \brief Lowers result (i, j) to the least left (k, i) + right (k, j) over all k < depth, where that is less.
+   *
+   * The product of matrices over the (min, +) semiring. Entry (r, c) of a matrix is [r * stride + c].
+   * \param[in,out] result rows x columns; overlaps with no operand
+   * \param[in] left depth x rows: the transpose of the left factor
+   * \param[in] right depth x columns
+   * \param[in] rows a multiple of min_plus_rows \param[in] columns a multiple of kernel_lanes */
+  void (*min_plus)(float* result,
+                   std::size_t result_stride,
+                   const float* left,
+                   std::size_t left_stride,
+                   const float* right,
+                   std::size_t right_stride,
+                   std::size_t rows,
+                   std::size_t depth,
+                   std::size_t columns);
+
+  /** \brief Shortest paths between all pairs of kernel_lanes vertices from the lengths of their edges, in place
+   * (R. W. Floyd: Algorithm 97, shortest path. CACM 5(6), 1962). Entries are not negative. */
+  void (*close_tile)(float* tile, std::size_t stride);
 };
 
 } // namespace symmetry

@@ -4,9 +4,10 @@
 namespace pcl {
 namespace symmetry {
 
+#include "min_plus.inc"
 #include "nearest_rows.inc"
 
-const KernelTable avx512_kernels{nearestRows};
+const KernelTable avx512_kernels{nearestRows, minPlus, closeTile};
 
 } // namespace symmetry
 } // namespace pcl
