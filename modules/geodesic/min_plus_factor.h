@@ -34,7 +34,7 @@ public:
   /** \brief Dissects the graph and finds the boundary of every node.
    * \param[in] graph referred to, not copied
    * \param[in] most_field_cost the analysis ends early, as not feasible (), when a field would cost more */
-  MinPlusFactor(const SurfaceGraph& graph, double most_field_cost);
+  MinPlusFactor(const SurfaceGraph& graph, double most_field_cost, unsigned threads);
 
   bool
   feasible() const
@@ -76,13 +76,17 @@ private:
   findBoundaries(double most_field_cost);
 
   void
-  eliminate(std::size_t node, FrontScratch& scratch);
+  eliminate(std::size_t node, FrontScratch& scratch, unsigned threads);
 
   void
   assemble(std::size_t node, FrontScratch& scratch);
 
   void
   addUpdate(std::size_t child, std::size_t node, FrontScratch& scratch);
+
+  /** Vertices of a node and all below it. */
+  std::size_t
+  subtreeSize(std::size_t node) const;
 
   std::size_t
   ownCount(std::size_t node) const

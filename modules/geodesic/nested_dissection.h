@@ -21,12 +21,12 @@ struct Dissection {
   struct Node {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
-    std::int32_t parent = -1;         ///< -1: the root
+    std::int32_t parent = -1;            ///< -1: the root
     std::int32_t children[2] = {-1, -1}; ///< -1: none
   };
 
-  std::vector<Node> nodes;   ///< children before parents; positions rise with the number of the node
-  std::vector<Index> order;  ///< vertex at each position
+  std::vector<Node> nodes;  ///< children before parents; positions rise with the number of the node
+  std::vector<Index> order; ///< vertex at each position
 };
 
 /** \brief Halves the graph until no piece has more than \a largest_leaf vertices.
@@ -34,10 +34,11 @@ struct Dissection {
  * A piece is halved at the median of a coordinate: the principal direction of the numbers of edges to a few vertices
  * far from each other, so that no positions are needed and a folded surface is taken apart as if it were straight. The
  * separator is the border of the half whose border is shorter. Small separators are what surfaces have; any graph may
- * be given. Cost O(n log n). Depends on the numbers of the vertices and edges alone.
+ * be given. Cost O(n log n). The result does not depend on
+ * \a threads (0: all cores).
  */
 Dissection
-dissect(const SurfaceGraph& graph, std::size_t largest_leaf);
+dissect(const SurfaceGraph& graph, std::size_t largest_leaf, unsigned threads);
 
 } // namespace symmetry
 } // namespace pcl

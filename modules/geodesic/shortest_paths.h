@@ -40,8 +40,12 @@ struct DistanceFields {
   }
 };
 
-/** \brief One full field per source, on \a threads threads (0: all cores). The same values for any number of threads.
- */
+/** \brief One full field per source, on \a threads threads (0: all cores).
+ *
+ * Few fields are searched one by one as by distanceField (). Many fields of a surface-like graph are made by
+ * elimination (MinPlusFactor) where that is expected to be faster; these agree with searched ones but for the rounding
+ * of sums, 1e-6 of the distance. Which way is taken depends on the graph and the number of sources alone, so that the
+ * values are the same for any number of threads and any machine. */
 DistanceFields
 distanceFields(const SurfaceGraph& graph, const std::vector<Index>& sources, unsigned threads);
 
@@ -52,7 +56,7 @@ shortestPath(const SurfaceGraph& graph, Index source, Index target);
 /** \brief Vertices of a shortest path to \a target, from the source of a field that is already known.
  *
  * Where several paths are equally short that of the lowest vertices, seen from the target, is taken.
- * \param[in] field distances from the source, as distanceField () returns them
+ * \param[in] field distances from the source, as distanceField () or distanceFields () returns them
  * \return first the source or a vertex at distance zero from it; empty where the target cannot be reached
  */
 std::vector<Index>

@@ -57,9 +57,22 @@ struct KernelTable {
                    std::size_t depth,
                    std::size_t columns);
 
+  /** \brief As min_plus with kernel_lanes columns, with row picked[k] of \a right as its row k; both strides are
+   * kernel_lanes. */
+  void (*min_plus_picked)(float* result,
+                          const float* left,
+                          std::size_t left_stride,
+                          const float* right,
+                          const std::uint32_t* picked,
+                          std::size_t rows,
+                          std::size_t depth);
+
   /** \brief Shortest paths between all pairs of kernel_lanes vertices from the lengths of their edges, in place
    * (R. W. Floyd: Algorithm 97, shortest path. CACM 5(6), 1962). Entries are not negative. */
   void (*close_tile)(float* tile, std::size_t stride);
+
+  /** \brief Writes entry j of rows[i] to entry i of columns[j], for all i and j below kernel_lanes. */
+  void (*transpose_tile)(const float* const* rows, float* const* columns);
 };
 
 } // namespace symmetry

@@ -21,10 +21,34 @@ roundedUp(std::size_t count, std::size_t multiple)
   return (count + multiple - 1) / multiple * multiple;
 }
 
+/** KernelTable::min_plus, its columns shared out among threads where that is worth their start. */
+void
+minPlus(float* result,
+        std::size_t result_stride,
+        const float* left,
+        std::size_t left_stride,
+        const float* right,
+        std::size_t right_stride,
+        std::size_t rows,
+        std::size_t depth,
+        std::size_t columns,
+        unsigned threads)
+{
+  constexpr std::size_t worth_threads = 4000000; // about 0.2 ms
+  const std::size_t parts = rows * depth * columns < worth_threads ? 1 : 2 * threadCount(threads, columns);
+  const std::size_t grain = roundedUp(std::max<std::size_t>(1, (columns + parts - 1) / parts), kernel_lanes);
+  parallelBlocks(columns, grain, threads, [&] {
+    return [&](std::size_t begin, std::size_t end) {
+      kernels().min_plus(result + begin, result_stride, left, left_stride, right + begin, right_stride, rows, depth,
+                         end - begin);
+    };
+  });
+}
+
 /** Shortest paths among all pairs, in place: Floyd's algorithm by blocks.
  * \param[in,out] matrix symmetric, stride x stride, a multiple of kernel_lanes \param[in] panel scratch */
 void
-closeSymmetric(std::vector<float>& matrix, std::size_t stride, std::vector<float>& panel)
+closeSymmetric(std::vector<float>& matrix, std::size_t stride, std::vector<float>& panel, unsigned threads)
 {
   const KernelTable& table = kernels();
   panel.resize(kernel_lanes * stride);
@@ -34,29 +58,35 @@ closeSymmetric(std::vector<float>& matrix, std::size_t stride, std::vector<float
     // Rows k .. of the matrix, with paths through the vertices of the tile; the tile is its own transpose.
     std::copy(rows, rows + kernel_lanes * stride, panel.begin());
     table.min_plus(panel.data(), stride, rows + k, stride, rows, stride, kernel_lanes, kernel_lanes, stride);
-    table.min_plus(matrix.data(), stride, panel.data(), stride, panel.data(), stride, stride, kernel_lanes, stride);
+    minPlus(matrix.data(), stride, panel.data(), stride, panel.data(), stride, stride, kernel_lanes, stride, threads);
   }
 }
 
-/** Transposes a rows x columns matrix; both strides are multiples of kernel_lanes, what lies beyond is taken along. */
+/** Transposes a matrix in whole blocks of kernel_lanes x kernel_lanes: to has columns_blocks of rows, from rows_blocks.
+ */
 void
-transpose(const float* from, std::size_t from_stride, std::size_t rows, std::size_t columns, float* to, std::size_t to_stride)
+transposeBlocks(
+    const float* from, std::size_t from_stride, std::size_t rows, std::size_t columns, float* to, std::size_t to_stride)
 {
+  const KernelTable& table = kernels();
+  const float* tile_rows[kernel_lanes];
+  float* tile_columns[kernel_lanes];
   for (std::size_t i = 0; i < rows; i += kernel_lanes) {
-    const std::size_t end = std::min(rows, i + kernel_lanes);
-    for (std::size_t j = 0; j < columns; ++j) {
-      for (std::size_t r = i; r < end; ++r) {
-        to[j * to_stride + r] = from[r * from_stride + j];
+    for (std::size_t j = 0; j < columns; j += kernel_lanes) {
+      for (std::size_t k = 0; k < kernel_lanes; ++k) {
+        tile_rows[k] = from + (i + k) * from_stride + j;
+        tile_columns[k] = to + (j + k) * to_stride + i;
       }
+      table.transpose_tile(tile_rows, tile_columns);
     }
   }
 }
 
 } // namespace
 
-MinPlusFactor::MinPlusFactor(const SurfaceGraph& graph, double most_field_cost)
+MinPlusFactor::MinPlusFactor(const SurfaceGraph& graph, double most_field_cost, unsigned threads)
     : graph_(graph),
-      dissection_(dissect(graph, largest_leaf)),
+      dissection_(dissect(graph, largest_leaf, threads)),
       position_(graph.size()),
       node_at_(graph.size()),
       fronts_(dissection_.nodes.size())
@@ -100,8 +130,8 @@ MinPlusFactor::findBoundaries(double most_field_cost)
     const auto own_count = static_cast<double>(own.end - own.begin);
     const auto boundary_count = static_cast<double>(boundary.size());
     cost_.field += own_count * boundary_count;
-    cost_.factor += own_count * (own_count * own_count + own_count * boundary_count +
-                                 0.5 * boundary_count * boundary_count);
+    cost_.factor +=
+        own_count * (own_count * own_count + own_count * boundary_count + 0.5 * boundary_count * boundary_count);
     if (cost_.field > most_field_cost) {
       return false;
     }
@@ -155,16 +185,16 @@ MinPlusFactor::assemble(std::size_t node, FrontScratch& scratch)
       const std::uint32_t p = position_[graph_.neighbours[e]];
       if (p >= own.begin) { // an edge to a vertex below is that vertex's
         const std::size_t j = scratch.place[p];
-        float& entry = j < count ? front.closure[i * front.own_stride + j]
-                                 : scratch.edges[i * front.boundary_stride + j - count];
+        float& entry =
+            j < count ? front.closure[i * front.own_stride + j] : scratch.edges[i * front.boundary_stride + j - count];
         entry = std::min(entry, graph_.lengths[e]);
       }
     }
   }
 }
 
-/** Takes the distances within a child's boundary over into the front. The boundary is sorted, so that the upper triangle
- * goes to the upper triangle. */
+/** Takes the distances within a child's boundary over into the front. The boundary is sorted, so that the upper
+ * triangle goes to the upper triangle. */
 void
 MinPlusFactor::addUpdate(std::size_t child, std::size_t node, FrontScratch& scratch)
 {
@@ -201,40 +231,74 @@ MinPlusFactor::addUpdate(std::size_t child, std::size_t node, FrontScratch& scra
 }
 
 void
-MinPlusFactor::eliminate(std::size_t node, FrontScratch& scratch)
+MinPlusFactor::eliminate(std::size_t node, FrontScratch& scratch, unsigned threads)
 {
-  const KernelTable& table = kernels();
   assemble(node, scratch);
   Front& front = fronts_[node];
   const std::size_t count = ownCount(node);
   if (count == 0) {
     return;
   }
-  closeSymmetric(front.closure, front.own_stride, scratch.panel);
+  closeSymmetric(front.closure, front.own_stride, scratch.panel, threads);
   scratch.distance.assign(front.own_stride * front.boundary_stride, infinity);
-  table.min_plus(scratch.distance.data(), front.boundary_stride, front.closure.data(), front.own_stride,
-                 scratch.edges.data(), front.boundary_stride, roundedUp(count, min_plus_rows), count,
-                 front.boundary_stride);
+  minPlus(scratch.distance.data(), front.boundary_stride, front.closure.data(), front.own_stride, scratch.edges.data(),
+          front.boundary_stride, roundedUp(count, min_plus_rows), count, front.boundary_stride, threads);
   // The update is symmetric: of each block of columns only the rows down to the diagonal are needed.
   const std::size_t rows = roundedUp(front.boundary.size(), min_plus_rows);
-  for (std::size_t j = 0; j < front.boundary_stride; j += kernel_lanes) {
-    table.min_plus(front.update.data() + j, front.boundary_stride, scratch.edges.data(), front.boundary_stride,
-                   scratch.distance.data() + j, front.boundary_stride, std::min(rows, j + kernel_lanes), count,
-                   kernel_lanes);
+  constexpr std::size_t panel = 4 * kernel_lanes;
+  for (std::size_t j = 0; j < front.boundary_stride; j += panel) {
+    const std::size_t columns = std::min(panel, front.boundary_stride - j);
+    minPlus(front.update.data() + j, front.boundary_stride, scratch.edges.data(), front.boundary_stride,
+            scratch.distance.data() + j, front.boundary_stride, std::min(rows, j + columns), count, columns, threads);
   }
-  front.to_boundary.assign(front.boundary.size() * front.own_stride, infinity);
-  transpose(scratch.distance.data(), front.boundary_stride, count, front.boundary.size(), front.to_boundary.data(),
-            front.own_stride);
+  front.to_boundary.resize(front.boundary_stride * front.own_stride);
+  transposeBlocks(scratch.distance.data(), front.boundary_stride, front.own_stride, front.boundary_stride,
+                  front.to_boundary.data(), front.own_stride);
 }
 
 void
 MinPlusFactor::factorize(unsigned threads)
 {
-  static_cast<void>(threads);
-  FrontScratch scratch;
+  // Subtrees that share no node are independent of each other. The nodes of a subtree are numbered one after another.
+  constexpr std::size_t subtrees_per_thread = 4;
+  const std::size_t most = graph_.size() / (subtrees_per_thread * threadCount(threads, graph_.size())) + 1;
+  std::vector<std::pair<std::size_t, std::size_t>> subtrees; // first node and the one after the last
+  std::vector<std::size_t> above;                            // nodes that belong to none
+  std::size_t first = 0;                                     // the first node after those of the subtrees found
   for (std::size_t node = 0; node < fronts_.size(); ++node) {
-    eliminate(node, scratch);
+    const std::int32_t parent = dissection_.nodes[node].parent;
+    if (subtreeSize(node) > most) {
+      above.push_back(node);
+      first = node + 1;
+    }
+    else if (parent < 0 || subtreeSize(static_cast<std::size_t>(parent)) > most) {
+      subtrees.emplace_back(first, node + 1);
+      first = node + 1;
+    }
   }
+  parallelBlocks(subtrees.size(), 1, threads, [&] {
+    return [&, scratch = FrontScratch()](std::size_t begin, std::size_t end) mutable {
+      for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t node = subtrees[i].first; node < subtrees[i].second; ++node) {
+          eliminate(node, scratch, 1);
+        }
+      }
+    };
+  });
+  FrontScratch scratch;
+  for (const std::size_t node : above) {
+    eliminate(node, scratch, threads);
+  }
+}
+
+std::size_t
+MinPlusFactor::subtreeSize(std::size_t node) const
+{
+  std::size_t lowest = node;
+  while (dissection_.nodes[lowest].children[0] >= 0) {
+    lowest = static_cast<std::size_t>(dissection_.nodes[lowest].children[0]);
+  }
+  return dissection_.nodes[node].end - dissection_.nodes[lowest].begin;
 }
 
 /** Distances from kernel_lanes sources at once, side by side: entry [position * kernel_lanes + source]. */
@@ -272,10 +336,25 @@ public:
     }
   }
 
-  const float*
-  at(std::uint32_t position) const
+  /** Writes the distances of each source to its field, in the order of the vertices. */
+  void
+  store(float* const* fields, std::size_t sources) const
   {
-    return distances_.data() + position * kernel_lanes;
+    const std::size_t n = factor_.graph_.size();
+    const float* rows[kernel_lanes];
+    float tile[kernel_lanes][kernel_lanes];
+    float* columns[kernel_lanes];
+    for (std::size_t v = 0; v < n; v += kernel_lanes) {
+      const std::size_t block = std::min(n - v, kernel_lanes);
+      for (std::size_t i = 0; i < kernel_lanes; ++i) {
+        rows[i] = distances_.data() + std::size_t{factor_.position_[v + std::min(i, block - 1)]} * kernel_lanes;
+        columns[i] = i < sources && block == kernel_lanes ? fields[i] + v : tile[i];
+      }
+      table_.transpose_tile(rows, columns);
+      for (std::size_t s = 0; block < kernel_lanes && s < sources; ++s) {
+        std::copy_n(tile[s], block, fields[s] + v);
+      }
+    }
   }
 
 private:
@@ -298,13 +377,12 @@ private:
                     count, kernel_lanes);
     std::copy_n(gathered_.begin(), count * kernel_lanes, own);
 
-    const std::size_t boundary_rows = roundedUp(front.boundary.size(), min_plus_rows);
-    transposed_.assign(count * boundary_rows, infinity);
-    transpose(front.to_boundary.data(), front.own_stride, front.boundary.size(), count, transposed_.data(),
-              boundary_rows);
-    gathered_.assign(boundary_rows * kernel_lanes, infinity);
-    table_.min_plus(gathered_.data(), kernel_lanes, transposed_.data(), boundary_rows, own, kernel_lanes,
-                    boundary_rows, count, kernel_lanes);
+    transposed_.resize(front.own_stride * front.boundary_stride);
+    transposeBlocks(front.to_boundary.data(), front.own_stride, front.boundary_stride, front.own_stride,
+                    transposed_.data(), front.boundary_stride);
+    gathered_.assign(front.boundary_stride * kernel_lanes, infinity);
+    table_.min_plus(gathered_.data(), kernel_lanes, transposed_.data(), front.boundary_stride, own, kernel_lanes,
+                    front.boundary_stride, count, kernel_lanes);
     for (std::size_t b = 0; b < front.boundary.size(); ++b) {
       float* to = distances_.data() + std::size_t{front.boundary[b]} * kernel_lanes;
       for (std::size_t lane = 0; lane < kernel_lanes; ++lane) {
@@ -318,14 +396,9 @@ private:
   sweepDown(std::size_t node)
   {
     const Front& front = factor_.fronts_[node];
-    gathered_.resize(front.boundary.size() * kernel_lanes);
-    for (std::size_t b = 0; b < front.boundary.size(); ++b) {
-      std::copy_n(distances_.data() + std::size_t{front.boundary[b]} * kernel_lanes, kernel_lanes,
-                  gathered_.data() + b * kernel_lanes);
-    }
-    table_.min_plus(ownDistances(node), kernel_lanes, front.to_boundary.data(), front.own_stride, gathered_.data(),
-                    kernel_lanes, roundedUp(factor_.ownCount(node), min_plus_rows), front.boundary.size(),
-                    kernel_lanes);
+    table_.min_plus_picked(ownDistances(node), front.to_boundary.data(), front.own_stride, distances_.data(),
+                           front.boundary.data(), roundedUp(factor_.ownCount(node), min_plus_rows),
+                           front.boundary.size());
   }
 
   const MinPlusFactor& factor_;
@@ -342,10 +415,8 @@ MinPlusFactor::fields(const std::vector<Index>& sources, float* rows, unsigned t
   // Sources that are close to each other have most of their way up in common.
   std::vector<std::uint32_t> order(sources.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return position_[sources[a]] < position_[sources[b]];
-  });
-  const std::size_t n = graph_.size();
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return position_[sources[a]] < position_[sources[b]]; });
   parallelBlocks(sources.size(), kernel_lanes, threads, [&] {
     return [&, batch = FieldBatch(*this)](std::size_t begin, std::size_t end) mutable {
       std::uint32_t positions[kernel_lanes];
@@ -353,21 +424,10 @@ MinPlusFactor::fields(const std::vector<Index>& sources, float* rows, unsigned t
       const std::size_t count = end - begin;
       for (std::size_t s = 0; s < count; ++s) {
         positions[s] = position_[sources[order[begin + s]]];
-        fields[s] = rows + order[begin + s] * n;
+        fields[s] = rows + order[begin + s] * graph_.size();
       }
       batch.run(positions, count);
-      for (std::size_t v = 0; v < n; v += kernel_lanes) {
-        const std::size_t block = std::min(n - v, kernel_lanes);
-        float tile[kernel_lanes][kernel_lanes];
-        for (std::size_t i = 0; i < block; ++i) {
-          std::copy_n(batch.at(position_[v + i]), kernel_lanes, tile[i]);
-        }
-        for (std::size_t s = 0; s < count; ++s) {
-          for (std::size_t i = 0; i < block; ++i) {
-            fields[s][v + i] = tile[i][s];
-          }
-        }
-      }
+      batch.store(fields, count);
     };
   });
 }

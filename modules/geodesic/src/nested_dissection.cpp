@@ -1,9 +1,14 @@
 #include "geodesic/nested_dissection.h"
 
+#include "geodesic/parallel.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <future>
+#include <limits>
+#include <numeric>
 
 namespace pcl {
 namespace symmetry {
@@ -15,25 +20,29 @@ constexpr std::size_t landmark_count = 6;
 using HopCounts = std::array<float, landmark_count>;
 
 /** Breadth-first search: number of edges from a vertex to every other one, -1 where none leads there.
- * \return the vertices in the order found */
-std::vector<Index>
-countHops(const SurfaceGraph& graph, Index from, std::vector<std::int32_t>& hops)
+ * \param[out] found the vertices in the order found
+ * \return how many there are */
+std::size_t
+countHops(const SurfaceGraph& graph, Index from, std::vector<std::int32_t>& hops, std::vector<Index>& found)
 {
   hops.assign(graph.size(), -1);
-  std::vector<Index> found{from};
-  found.reserve(graph.size());
+  found.resize(graph.size() + 1); // one to spare: the next entry is written before it is known whether it counts
+  found[0] = from;
   hops[from] = 0;
-  for (std::size_t i = 0; i < found.size(); ++i) {
+  std::size_t count = 1;
+  for (std::size_t i = 0; i < count; ++i) {
     const Index v = found[i];
+    const std::int32_t next = hops[v] + 1;
     for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
+      // Without a branch, which would be a guess every time.
       const Index w = graph.neighbours[e];
-      if (hops[w] < 0) {
-        hops[w] = hops[v] + 1;
-        found.push_back(w);
-      }
+      const std::int32_t known = hops[w];
+      found[count] = w;
+      count += known < 0 ? 1U : 0U;
+      hops[w] = known < 0 ? next : known;
     }
   }
-  return found;
+  return count;
 }
 
 /** Number of edges from every vertex to a few landmarks, each of which is far from all before it. */
@@ -42,10 +51,11 @@ landmarkCoordinates(const SurfaceGraph& graph)
 {
   std::vector<HopCounts> coordinates(graph.size());
   std::vector<std::int32_t> hops;
+  std::vector<Index> found;
   std::vector<std::int32_t> nearest(graph.size(), std::numeric_limits<std::int32_t>::max());
-  Index landmark = graph.size() == 0 ? no_index : countHops(graph, 0, hops).back();
+  Index landmark = graph.size() == 0 ? no_index : 0;
   for (std::size_t k = 0; k < landmark_count && landmark != no_index; ++k) {
-    countHops(graph, landmark, hops);
+    countHops(graph, landmark, hops, found);
     landmark = no_index;
     std::int32_t farthest = -1;
     for (std::size_t v = 0; v < graph.size(); ++v) {
@@ -124,48 +134,86 @@ sortableBits(float value)
   return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
 }
 
+/** Inverse of sortableBits (). */
+float
+valueOf(std::uint32_t bits)
+{
+  bits = (bits & 0x80000000U) != 0 ? bits & 0x7FFFFFFFU : ~bits;
+  float value = 0.0F;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
 class Dissector {
 public:
   Dissector(const SurfaceGraph& graph, std::size_t largest_leaf)
-      : graph_(graph), largest_leaf_(largest_leaf), coordinates_(landmarkCoordinates(graph)), side_(graph.size(), 0)
+      : graph_(graph),
+        largest_leaf_(std::max<std::size_t>(largest_leaf, 1)),
+        coordinates_(landmarkCoordinates(graph)),
+        order_(graph.size()),
+        part_(graph.size(), separator),
+        keys_(graph.size()),
+        sorted_(graph.size())
   {
-    result_.order.resize(graph.size());
-    for (std::size_t v = 0; v < graph.size(); ++v) {
-      result_.order[v] = static_cast<Index>(v);
-    }
-    keys_.resize(graph.size());
+    std::iota(order_.begin(), order_.end(), 0);
   }
 
   Dissection
-  run()
+  run(unsigned threads)
   {
-    split(0, result_.order.size());
-    return std::move(result_);
+    Dissection dissection;
+    dissection.nodes = split(0, order_.size(), threads);
+    dissection.order = std::move(order_);
+    return dissection;
   }
 
 private:
-  /** Takes the vertices at positions [begin, end) apart. \return number of the node at the top */
-  std::int32_t
-  split(std::size_t begin, std::size_t end)
+  using Nodes = std::vector<Dissection::Node>;
+
+  // What part_ says of a vertex of the piece at work. No edge joins two pieces, so a neighbour elsewhere is a
+  // separator.
+  static constexpr std::uint8_t separator = 0;
+  static constexpr std::uint8_t lower_half = 1;
+  static constexpr std::uint8_t upper_half = 2;
+
+  /** Takes the vertices at positions [begin, end) apart. \return the nodes of the subtree, numbered from 0 */
+  Nodes
+  split(std::size_t begin, std::size_t end, unsigned threads)
   {
-    Dissection::Node node;
-    node.end = static_cast<std::uint32_t>(end);
-    std::size_t separator = begin;
-    if (end - begin > largest_leaf_) {
-      const Parts parts = separate(begin, end);
-      separator = parts.separator;
-      node.children[0] = split(begin, parts.second);
-      node.children[1] = split(parts.second, parts.separator);
+    constexpr std::size_t worth_a_thread = 2000;
+    Dissection::Node top;
+    top.begin = static_cast<std::uint32_t>(begin);
+    top.end = static_cast<std::uint32_t>(end);
+    if (end - begin <= largest_leaf_) {
+      return {top};
     }
-    node.begin = static_cast<std::uint32_t>(separator);
-    const auto number = static_cast<std::int32_t>(result_.nodes.size());
-    for (const std::int32_t child : node.children) {
-      if (child >= 0) {
-        result_.nodes[static_cast<std::size_t>(child)].parent = number;
+    const Parts parts = separate(begin, end);
+    top.begin = static_cast<std::uint32_t>(parts.separator);
+    Nodes nodes;
+    Nodes more;
+    if (threads > 1 && end - begin > worth_a_thread) {
+      auto other = std::async(std::launch::async, [&] { return split(begin, parts.second, threads / 2); });
+      more = split(parts.second, parts.separator, threads - threads / 2);
+      nodes = other.get();
+    }
+    else {
+      nodes = split(begin, parts.second, 1);
+      more = split(parts.second, parts.separator, 1);
+    }
+    const auto offset = static_cast<std::int32_t>(nodes.size());
+    for (Dissection::Node& node : more) {
+      for (std::int32_t* number : {&node.parent, &node.children[0], &node.children[1]}) {
+        *number += *number >= 0 ? offset : 0;
       }
     }
-    result_.nodes.push_back(node);
-    return number;
+    nodes.insert(nodes.end(), more.begin(), more.end());
+    const auto number = static_cast<std::int32_t>(nodes.size());
+    top.children[0] = offset - 1;
+    top.children[1] = number - 1;
+    nodes[static_cast<std::size_t>(offset - 1)].parent = number;
+    nodes[static_cast<std::size_t>(number - 1)].parent = number;
+    nodes.push_back(top);
+    return nodes;
   }
 
   /** [begin, second) and [second, separator) are the halves, [separator, end) the separator. */
@@ -177,90 +225,139 @@ private:
   Parts
   separate(std::size_t begin, std::size_t end)
   {
-    Index* order = result_.order.data();
-    sortByHalves(begin, end);
-    const std::size_t middle = begin + (end - begin) / 2;
-    stamp_ += 2; // of the first half; that of the second is one more
+    const Halves halves = sortByHalves(begin, end);
     for (std::size_t i = begin; i < end; ++i) {
-      side_[order[i]] = i < middle ? stamp_ : stamp_ + 1;
+      part_[order_[i]] = i < halves.middle ? lower_half : upper_half;
     }
-    borders_[0].clear();
-    borders_[1].clear();
+    std::vector<Index> borders[2];
     for (std::size_t i = begin; i < end; ++i) {
-      const Index v = order[i];
-      if (touches(v, side_[v] == stamp_ ? stamp_ + 1 : stamp_)) {
-        borders_[i < middle ? 0 : 1].push_back(v);
+      const std::uint8_t other = i < halves.middle ? upper_half : lower_half;
+      if (keys_[i] >= halves.least_on_border && keys_[i] <= halves.largest_on_border && touches(order_[i], other)) {
+        borders[i < halves.middle ? 0 : 1].push_back(order_[i]);
       }
     }
-    const std::vector<Index>& separator = borders_[borders_[1].size() < borders_[0].size() ? 1 : 0];
-    for (const Index v : separator) {
-      side_[v] = 0;
+    const std::vector<Index>& border = borders[1].size() < borders[0].size() ? borders[1] : borders[0];
+    for (const Index v : border) {
+      part_[v] = separator;
     }
     // Both halves keep their order.
     std::size_t kept = begin;
     Parts parts{begin, begin};
     for (std::size_t i = begin; i < end; ++i) {
-      if (i == middle) {
+      if (i == halves.middle) {
         parts.second = kept;
       }
-      if (side_[order[i]] != 0) {
-        order[kept++] = order[i];
-      }
+      const Index v = order_[i];
+      order_[kept] = v;
+      kept += part_[v] != separator ? 1U : 0U;
     }
     parts.separator = kept;
-    std::copy(separator.begin(), separator.end(), order + kept);
+    std::copy(border.begin(), border.end(), order_.begin() + static_cast<std::ptrdiff_t>(kept));
     return parts;
   }
 
   bool
-  touches(Index v, std::uint32_t side) const
+  touches(Index v, std::uint8_t part) const
   {
     for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
-      if (side_[graph_.neighbours[e]] == side) {
+      if (part_[graph_.neighbours[e]] == part) {
         return true;
       }
     }
     return false;
   }
 
+  /** [begin, middle) is one half; a vertex with a neighbour in the other half has a key between the two given. */
+  struct Halves {
+    std::size_t middle;
+    std::uint64_t least_on_border;
+    std::uint64_t largest_on_border;
+  };
+
   /** Brings the vertices before the median of the principal direction to the front. */
-  void
+  Halves
   sortByHalves(std::size_t begin, std::size_t end)
   {
-    Index* order = result_.order.data();
+    const Index* order = order_.data();
     const HopCounts direction = principalDirection(coordinates_, order + begin, order + end);
+    float largest = 0.0F;
     for (std::size_t i = begin; i < end; ++i) {
       const HopCounts& position = coordinates_[order[i]];
       float along = 0.0F;
       for (std::size_t k = 0; k < landmark_count; ++k) {
         along += direction[k] * position[k];
       }
+      largest = std::max(largest, std::abs(along));
       keys_[i] = std::uint64_t{sortableBits(along)} << 32U | static_cast<std::uint32_t>(order[i]);
     }
-    const auto first = keys_.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto last = keys_.begin() + static_cast<std::ptrdiff_t>(end);
-    std::nth_element(first, first + (last - first) / 2, last);
+    const Median median = partitionNearMedian(begin, end);
     for (std::size_t i = begin; i < end; ++i) {
-      order[i] = static_cast<Index>(keys_[i] & 0xFFFFFFFFU);
+      order_[i] = static_cast<Index>(keys_[i] & 0xFFFFFFFFU);
     }
+    // Neighbours differ by at most 1 in every number of edges.
+    float reach = 1e-5F * largest; // rounding
+    for (const float part : direction) {
+      reach += std::abs(part);
+    }
+    const float at = valueOf(static_cast<std::uint32_t>(median.key >> 32U));
+    return {begin + median.lower, std::uint64_t{sortableBits(at - reach)} << 32U,
+            std::uint64_t{sortableBits(at + reach)} << 32U | 0xFFFFFFFFU};
+  }
+
+  struct Median {
+    std::size_t lower; ///< number of keys below it
+    std::uint64_t key;
+  };
+
+  /** Brings the lower half of the keys to the front. The median of a sample is near enough; where it is not, the median
+   * of all is found. */
+  Median
+  partitionNearMedian(std::size_t begin, std::size_t end)
+  {
+    constexpr std::size_t sample = 63;
+    const std::size_t count = end - begin;
+    std::uint64_t* keys = keys_.data() + begin;
+    std::uint64_t picked[sample];
+    for (std::size_t i = 0; i < sample; ++i) {
+      picked[i] = keys[i * count / sample];
+    }
+    std::nth_element(picked, picked + sample / 2, picked + sample);
+    const std::uint64_t pivot = picked[sample / 2];
+    // Without a branch, which would be a guess: every key is written to both ends of what is left, and one counts.
+    std::uint64_t* sorted = sorted_.data() + begin;
+    std::size_t lower = 0;
+    std::size_t upper = count;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint64_t key = keys[i];
+      sorted[lower] = key;
+      sorted[upper - 1] = key;
+      const std::size_t is_lower = key < pivot ? 1 : 0;
+      lower += is_lower;
+      upper -= 1 - is_lower;
+    }
+    std::copy(sorted, sorted + count, keys);
+    if (lower >= count / 3 && lower <= count - count / 3) {
+      return {lower, pivot};
+    }
+    std::nth_element(keys, keys + count / 2, keys + count);
+    return {count / 2, keys[count / 2]};
   }
 
   const SurfaceGraph& graph_;
   std::size_t largest_leaf_;
   std::vector<HopCounts> coordinates_;
-  std::vector<std::uint32_t> side_; ///< stamp of the half that holds the vertex; 0: in a separator
-  std::uint32_t stamp_ = 0;
-  std::vector<Index> borders_[2];
-  std::vector<std::uint64_t> keys_;
-  Dissection result_;
+  std::vector<Index> order_;
+  std::vector<std::uint8_t> part_;  ///< of every vertex
+  std::vector<std::uint64_t> keys_; ///< at every position: coordinate, then vertex
+  std::vector<std::uint64_t> sorted_;
 };
 
 } // namespace
 
 Dissection
-dissect(const SurfaceGraph& graph, std::size_t largest_leaf)
+dissect(const SurfaceGraph& graph, std::size_t largest_leaf, unsigned threads)
 {
-  return Dissector(graph, largest_leaf).run();
+  return Dissector(graph, largest_leaf).run(threadCount(threads, graph.size()));
 }
 
 } // namespace symmetry

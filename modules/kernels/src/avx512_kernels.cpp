@@ -6,8 +6,9 @@ namespace symmetry {
 
 #include "min_plus.inc"
 #include "nearest_rows.inc"
+#include "transpose.inc"
 
-const KernelTable avx512_kernels{nearestRows, minPlus, closeTile};
+const KernelTable avx512_kernels{nearestRows, minPlus, minPlusPicked, closeTile, transposeTile};
 
 } // namespace symmetry
 } // namespace pcl
