@@ -7,6 +7,7 @@
 #include "geodesic/surface_graph.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace pcl {
@@ -64,9 +65,9 @@ private:
     std::vector<std::uint32_t> boundary; ///< positions, rising
     std::size_t own_stride = 0;
     std::size_t boundary_stride = 0;
-    std::vector<float> closure;     ///< own x own: distances among the node's vertices within its subtree
-    std::vector<float> to_boundary; ///< boundary x own: distances from them to the boundary within the subtree
-    std::vector<float> update;      ///< boundary x boundary, upper triangle; until the parent has taken it over
+    std::size_t to_boundary = 0; ///< where its part of to_boundary_ begins
+    std::vector<float> closure;  ///< own x own: distances among the node's vertices within its subtree
+    std::vector<float> update;   ///< boundary x boundary, upper triangle; until the parent has taken it over
   };
 
   struct FrontScratch;
@@ -99,6 +100,10 @@ private:
   std::vector<std::uint32_t> position_; ///< of every vertex
   std::vector<std::uint32_t> node_at_;  ///< node that owns each position
   std::vector<Front> fronts_;
+  std::size_t to_boundary_size_ = 0;
+  /** Of every node, boundary x own: distances from its boundary to its vertices within its subtree. One block, in the
+   * order in which a field runs through it; not initialised, for it is large and all of it is written. */
+  std::unique_ptr<float[]> to_boundary_;
   Cost cost_;
   bool feasible_ = false;
 };

@@ -57,15 +57,16 @@ struct KernelTable {
                    std::size_t depth,
                    std::size_t columns);
 
-  /** \brief As min_plus with kernel_lanes columns, with row picked[k] of \a right as its row k; both strides are
-   * kernel_lanes. */
+  /** \brief As min_plus, with row picked[k] of \a right as its row k; the strides of \a right and \a result are the
+   * number of columns. */
   void (*min_plus_picked)(float* result,
                           const float* left,
                           std::size_t left_stride,
                           const float* right,
                           const std::uint32_t* picked,
                           std::size_t rows,
-                          std::size_t depth);
+                          std::size_t depth,
+                          std::size_t columns);
 
   /** \brief Shortest paths between all pairs of kernel_lanes vertices from the lengths of their edges, in place
    * (R. W. Floyd: Algorithm 97, shortest path. CACM 5(6), 1962). Entries are not negative. */

@@ -172,7 +172,7 @@ TEST_P(Kernels, MultiplyWithPickedRows)
   std::vector<float> result = expected;
   table.min_plus(expected.data(), kernel_lanes, left.data(), rows, gathered.data(), kernel_lanes, rows, depth,
                  kernel_lanes);
-  table.min_plus_picked(result.data(), left.data(), rows, right.data(), picked.data(), rows, depth);
+  table.min_plus_picked(result.data(), left.data(), rows, right.data(), picked.data(), rows, depth, kernel_lanes);
   EXPECT_EQ(result, expected);
 }
 

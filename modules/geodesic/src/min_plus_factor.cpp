@@ -15,6 +15,9 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 
 constexpr std::size_t largest_leaf = 32;
 
+/** Sources that are swept together. Twice as many were no faster: their distances leave the cache. */
+constexpr std::size_t batch_width = kernel_lanes;
+
 std::size_t
 roundedUp(std::size_t count, std::size_t multiple)
 {
@@ -46,19 +49,21 @@ minPlus(float* result,
 }
 
 /** Shortest paths among all pairs, in place: Floyd's algorithm by blocks.
- * \param[in,out] matrix symmetric, stride x stride, a multiple of kernel_lanes \param[in] panel scratch */
+ * \param[in,out] matrix symmetric, count x count; the stride is a multiple of kernel_lanes \param[in] panel scratch */
 void
-closeSymmetric(std::vector<float>& matrix, std::size_t stride, std::vector<float>& panel, unsigned threads)
+closeSymmetric(
+    std::vector<float>& matrix, std::size_t count, std::size_t stride, std::vector<float>& panel, unsigned threads)
 {
   const KernelTable& table = kernels();
   panel.resize(kernel_lanes * stride);
-  for (std::size_t k = 0; k < stride; k += kernel_lanes) {
+  for (std::size_t k = 0; k < count; k += kernel_lanes) {
     float* rows = matrix.data() + k * stride;
     table.close_tile(rows + k, stride);
     // Rows k .. of the matrix, with paths through the vertices of the tile; the tile is its own transpose.
     std::copy(rows, rows + kernel_lanes * stride, panel.begin());
     table.min_plus(panel.data(), stride, rows + k, stride, rows, stride, kernel_lanes, kernel_lanes, stride);
-    minPlus(matrix.data(), stride, panel.data(), stride, panel.data(), stride, stride, kernel_lanes, stride, threads);
+    minPlus(matrix.data(), stride, panel.data(), stride, panel.data(), stride, roundedUp(count, min_plus_rows),
+            kernel_lanes, stride, threads);
   }
 }
 
@@ -78,6 +83,22 @@ transposeBlocks(
         tile_columns[k] = to + (j + k) * to_stride + i;
       }
       table.transpose_tile(tile_rows, tile_columns);
+    }
+  }
+}
+
+/** Makes a matrix symmetric of which only the upper triangle is filled in. */
+void
+mirrorUpperTriangle(float* matrix, std::size_t stride)
+{
+  for (std::size_t i = 0; i < stride; i += kernel_lanes) {
+    for (std::size_t row = i; row < i + kernel_lanes; ++row) {
+      for (std::size_t column = i; column < row; ++column) {
+        matrix[row * stride + column] = matrix[column * stride + row];
+      }
+    }
+    if (i > 0) {
+      transposeBlocks(matrix + i, stride, i, kernel_lanes, matrix + i * stride, stride);
     }
   }
 }
@@ -127,6 +148,11 @@ MinPlusFactor::findBoundaries(double most_field_cost)
       }
     }
     std::sort(boundary.begin(), boundary.end());
+    Front& front = fronts_[node];
+    front.own_stride = roundedUp(ownCount(node), kernel_lanes);
+    front.boundary_stride = roundedUp(boundary.size(), kernel_lanes);
+    front.to_boundary = to_boundary_size_;
+    to_boundary_size_ += front.boundary_stride * front.own_stride;
     const auto own_count = static_cast<double>(own.end - own.begin);
     const auto boundary_count = static_cast<double>(boundary.size());
     cost_.field += own_count * boundary_count;
@@ -156,8 +182,6 @@ MinPlusFactor::assemble(std::size_t node, FrontScratch& scratch)
   const Dissection::Node& own = dissection_.nodes[node];
   Front& front = fronts_[node];
   const std::size_t count = ownCount(node);
-  front.own_stride = roundedUp(count, kernel_lanes);
-  front.boundary_stride = roundedUp(front.boundary.size(), kernel_lanes);
   front.closure.assign(front.own_stride * front.own_stride, infinity);
   scratch.edges.assign(count * front.boundary_stride, infinity);
   front.update.assign(roundedUp(front.boundary.size(), min_plus_rows) * front.boundary_stride, infinity);
@@ -173,11 +197,7 @@ MinPlusFactor::assemble(std::size_t node, FrontScratch& scratch)
       addUpdate(static_cast<std::size_t>(child), node, scratch);
     }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < i; ++j) { // the updates filled the upper triangle
-      front.closure[i * front.own_stride + j] = front.closure[j * front.own_stride + i];
-    }
-  }
+  mirrorUpperTriangle(front.closure.data(), front.own_stride);
   for (std::size_t i = 0; i < count; ++i) {
     front.closure[i * front.own_stride + i] = 0.0F;
     const Index v = dissection_.order[own.begin + i];
@@ -239,7 +259,7 @@ MinPlusFactor::eliminate(std::size_t node, FrontScratch& scratch, unsigned threa
   if (count == 0) {
     return;
   }
-  closeSymmetric(front.closure, front.own_stride, scratch.panel, threads);
+  closeSymmetric(front.closure, count, front.own_stride, scratch.panel, threads);
   scratch.distance.assign(front.own_stride * front.boundary_stride, infinity);
   minPlus(scratch.distance.data(), front.boundary_stride, front.closure.data(), front.own_stride, scratch.edges.data(),
           front.boundary_stride, roundedUp(count, min_plus_rows), count, front.boundary_stride, threads);
@@ -251,14 +271,14 @@ MinPlusFactor::eliminate(std::size_t node, FrontScratch& scratch, unsigned threa
     minPlus(front.update.data() + j, front.boundary_stride, scratch.edges.data(), front.boundary_stride,
             scratch.distance.data() + j, front.boundary_stride, std::min(rows, j + columns), count, columns, threads);
   }
-  front.to_boundary.resize(front.boundary_stride * front.own_stride);
   transposeBlocks(scratch.distance.data(), front.boundary_stride, front.own_stride, front.boundary_stride,
-                  front.to_boundary.data(), front.own_stride);
+                  to_boundary_.get() + front.to_boundary, front.own_stride);
 }
 
 void
 MinPlusFactor::factorize(unsigned threads)
 {
+  to_boundary_.reset(new float[to_boundary_size_]);
   // Subtrees that share no node are independent of each other. The nodes of a subtree are numbered one after another.
   constexpr std::size_t subtrees_per_thread = 4;
   const std::size_t most = graph_.size() / (subtrees_per_thread * threadCount(threads, graph_.size())) + 1;
@@ -301,25 +321,25 @@ MinPlusFactor::subtreeSize(std::size_t node) const
   return dissection_.nodes[node].end - dissection_.nodes[lowest].begin;
 }
 
-/** Distances from kernel_lanes sources at once, side by side: entry [position * kernel_lanes + source]. */
+/** Distances from several sources at once, side by side: entry [position * batch_width + source]. */
 class MinPlusFactor::FieldBatch {
 public:
   explicit FieldBatch(const MinPlusFactor& factor)
       : factor_(factor),
         table_(kernels()),
-        distances_((factor.graph_.size() + min_plus_rows) * kernel_lanes),
+        distances_((factor.graph_.size() + min_plus_rows) * batch_width),
         is_above_(factor.fronts_.size())
   {
   }
 
-  /** \param[in] sources at most kernel_lanes */
+  /** \param[in] sources at most batch_width */
   void
   run(const std::uint32_t* positions, std::size_t sources)
   {
     std::fill(distances_.begin(), distances_.end(), infinity);
     std::fill(is_above_.begin(), is_above_.end(), 0);
     for (std::size_t s = 0; s < sources; ++s) {
-      distances_[positions[s] * kernel_lanes + s] = 0.0F;
+      distances_[positions[s] * batch_width + s] = 0.0F;
       for (auto node = static_cast<std::int32_t>(factor_.node_at_[positions[s]]); node >= 0 && is_above_[node] == 0;
            node = factor_.dissection_.nodes[node].parent) {
         is_above_[node] = 1;
@@ -342,12 +362,14 @@ public:
   {
     const std::size_t n = factor_.graph_.size();
     const float* rows[kernel_lanes];
+    constexpr std::size_t ahead = 4 * kernel_lanes; // neighbours in number need not be neighbours in position
     float tile[kernel_lanes][kernel_lanes];
     float* columns[kernel_lanes];
     for (std::size_t v = 0; v < n; v += kernel_lanes) {
       const std::size_t block = std::min(n - v, kernel_lanes);
       for (std::size_t i = 0; i < kernel_lanes; ++i) {
-        rows[i] = distances_.data() + std::size_t{factor_.position_[v + std::min(i, block - 1)]} * kernel_lanes;
+        rows[i] = at(factor_.position_[v + std::min(i, block - 1)]);
+        __builtin_prefetch(at(factor_.position_[std::min(v + i + ahead, n - 1)]));
         columns[i] = i < sources && block == kernel_lanes ? fields[i] + v : tile[i];
       }
       table_.transpose_tile(rows, columns);
@@ -358,10 +380,16 @@ public:
   }
 
 private:
+  const float*
+  at(std::uint32_t position) const
+  {
+    return distances_.data() + position * batch_width;
+  }
+
   float*
   ownDistances(std::size_t node)
   {
-    return distances_.data() + std::size_t{factor_.dissection_.nodes[node].begin} * kernel_lanes;
+    return distances_.data() + factor_.dissection_.nodes[node].begin * batch_width;
   }
 
   /** Closes the distances of a node's vertices within its subtree and hands them to its boundary. */
@@ -372,21 +400,21 @@ private:
     const std::size_t count = factor_.ownCount(node);
     const std::size_t rows = roundedUp(count, min_plus_rows);
     float* own = ownDistances(node);
-    gathered_.assign(rows * kernel_lanes, infinity);
-    table_.min_plus(gathered_.data(), kernel_lanes, front.closure.data(), front.own_stride, own, kernel_lanes, rows,
-                    count, kernel_lanes);
-    std::copy_n(gathered_.begin(), count * kernel_lanes, own);
+    gathered_.assign(rows * batch_width, infinity);
+    table_.min_plus(gathered_.data(), batch_width, front.closure.data(), front.own_stride, own, batch_width, rows,
+                    count, batch_width);
+    std::copy_n(gathered_.begin(), count * batch_width, own);
 
     transposed_.resize(front.own_stride * front.boundary_stride);
-    transposeBlocks(front.to_boundary.data(), front.own_stride, front.boundary_stride, front.own_stride,
-                    transposed_.data(), front.boundary_stride);
-    gathered_.assign(front.boundary_stride * kernel_lanes, infinity);
-    table_.min_plus(gathered_.data(), kernel_lanes, transposed_.data(), front.boundary_stride, own, kernel_lanes,
-                    front.boundary_stride, count, kernel_lanes);
+    transposeBlocks(factor_.to_boundary_.get() + front.to_boundary, front.own_stride, front.boundary_stride,
+                    front.own_stride, transposed_.data(), front.boundary_stride);
+    gathered_.assign(front.boundary_stride * batch_width, infinity);
+    table_.min_plus(gathered_.data(), batch_width, transposed_.data(), front.boundary_stride, own, batch_width,
+                    front.boundary_stride, count, batch_width);
     for (std::size_t b = 0; b < front.boundary.size(); ++b) {
-      float* to = distances_.data() + std::size_t{front.boundary[b]} * kernel_lanes;
-      for (std::size_t lane = 0; lane < kernel_lanes; ++lane) {
-        to[lane] = std::min(to[lane], gathered_[b * kernel_lanes + lane]);
+      float* to = distances_.data() + front.boundary[b] * batch_width;
+      for (std::size_t lane = 0; lane < batch_width; ++lane) {
+        to[lane] = std::min(to[lane], gathered_[b * batch_width + lane]);
       }
     }
   }
@@ -396,9 +424,9 @@ private:
   sweepDown(std::size_t node)
   {
     const Front& front = factor_.fronts_[node];
-    table_.min_plus_picked(ownDistances(node), front.to_boundary.data(), front.own_stride, distances_.data(),
-                           front.boundary.data(), roundedUp(factor_.ownCount(node), min_plus_rows),
-                           front.boundary.size());
+    table_.min_plus_picked(ownDistances(node), factor_.to_boundary_.get() + front.to_boundary, front.own_stride,
+                           distances_.data(), front.boundary.data(), roundedUp(factor_.ownCount(node), min_plus_rows),
+                           front.boundary.size(), batch_width);
   }
 
   const MinPlusFactor& factor_;
@@ -417,10 +445,10 @@ MinPlusFactor::fields(const std::vector<Index>& sources, float* rows, unsigned t
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return position_[sources[a]] < position_[sources[b]]; });
-  parallelBlocks(sources.size(), kernel_lanes, threads, [&] {
+  parallelBlocks(sources.size(), batch_width, threads, [&] {
     return [&, batch = FieldBatch(*this)](std::size_t begin, std::size_t end) mutable {
-      std::uint32_t positions[kernel_lanes];
-      float* fields[kernel_lanes];
+      std::uint32_t positions[batch_width];
+      float* fields[batch_width];
       const std::size_t count = end - begin;
       for (std::size_t s = 0; s < count; ++s) {
         positions[s] = position_[sources[order[begin + s]]];

@@ -30,9 +30,13 @@ countHops(const SurfaceGraph& graph, Index from, std::vector<std::int32_t>& hops
   found[0] = from;
   hops[from] = 0;
   std::size_t count = 1;
+  constexpr std::size_t ahead = 8;
   for (std::size_t i = 0; i < count; ++i) {
     const Index v = found[i];
     const std::int32_t next = hops[v] + 1;
+    if (i + ahead < count) {
+      __builtin_prefetch(graph.neighbours.data() + graph.offsets[found[i + ahead]]);
+    }
     for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
       // Without a branch, which would be a guess every time.
       const Index w = graph.neighbours[e];
