@@ -217,6 +217,37 @@ TEST_P(Kernels, TransposeATile)
   }
 }
 
+TEST_P(Kernels, AddUpWeightedDistancesInOneOrder)
+{
+  for (const std::size_t padded : {16U, 48U, 64U, 112U}) {
+    const std::vector<float> query = randomNumbers(padded, 1, 0.0F, 1.0F);
+    const std::vector<float> candidate = randomNumbers(padded, 2, 0.0F, 1.0F);
+    const std::vector<float> weights = randomNumbers(padded, 3, 1.0F, 50.0F);
+    const std::vector<float> upper = randomNumbers(padded, 4, 1.0F, 1.2F);
+    float points[kernel_lanes] = {};
+    float boxes[kernel_lanes] = {};
+    for (std::size_t i = 0; i < padded; ++i) {
+      const float difference = (query[i] - candidate[i]) * weights[i];
+      points[i % kernel_lanes] += difference * difference;
+      const float outside = std::max(std::max(candidate[i] - query[i], query[i] - upper[i]), 0.0F) * weights[i];
+      boxes[i % kernel_lanes] += outside * outside;
+    }
+    for (std::size_t half = kernel_lanes / 2; half > 0; half /= 2) {
+      for (std::size_t i = 0; i < half; ++i) {
+        points[i] += points[i + half];
+        boxes[i] += boxes[i + half];
+      }
+    }
+    EXPECT_EQ(table.weighted_distance(query.data(), candidate.data(), weights.data(), padded, infinity), points[0]);
+    EXPECT_EQ(
+        table.weighted_box_distance(query.data(), candidate.data(), upper.data(), weights.data(), padded, infinity),
+        boxes[0]);
+    EXPECT_LE(boxes[0], points[0]);
+    const float limit = 0.1F * points[0];
+    EXPECT_GT(table.weighted_distance(query.data(), candidate.data(), weights.data(), padded, limit), limit);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(InstructionSets, Kernels, testing::ValuesIn(availableInstructionSets()), [](const auto& set) {
   return std::string(instructionSetName(set.param));
 });

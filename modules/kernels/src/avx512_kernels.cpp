@@ -7,8 +7,10 @@ namespace symmetry {
 #include "min_plus.inc"
 #include "nearest_rows.inc"
 #include "transpose.inc"
+#include "weighted_distance.inc"
 
-const KernelTable avx512_kernels{nearestRows, minPlus, minPlusPicked, closeTile, transposeTile};
+const KernelTable avx512_kernels{nearestRows,   minPlus,          minPlusPicked,      closeTile,
+                                 transposeTile, weightedDistance, weightedBoxDistance};
 
 } // namespace symmetry
 } // namespace pcl

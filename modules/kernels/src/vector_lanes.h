@@ -49,4 +49,22 @@ broadcast(std::int32_t value)
   return value - IndexLanes{};
 }
 
+// Four lanes, which every instruction set has.
+
+using FourLanes = float __attribute__((vector_size(4 * sizeof(float))));
+using FourIndices = std::int32_t __attribute__((vector_size(4 * sizeof(std::int32_t))));
+using UnalignedFourLanes = float __attribute__((vector_size(4 * sizeof(float)), aligned(sizeof(float)), may_alias));
+
+inline FourLanes
+loadFour(const float* from)
+{
+  return *reinterpret_cast<const UnalignedFourLanes*>(from);
+}
+
+inline void
+storeFour(float* to, FourLanes lanes)
+{
+  *reinterpret_cast<UnalignedFourLanes*>(to) = lanes;
+}
+
 } // namespace
