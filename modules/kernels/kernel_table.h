@@ -26,7 +26,7 @@ constexpr std::size_t min_plus_rows = 4;
 struct KernelTable {
   /** \brief For each of kernel_queries vectors the target t of the least half_norm (t) - target (t) . query.
    *
-   * The difference is formed as ((half_norm - t_0 q_0) - t_1 q_1) - ...; ties go to the lowest target. With half the
+   * The product is summed up in the order of the coordinates; ties go to the lowest target. With half the
    * squared norms of the targets this is the target at the least Euclidean distance.
    * \param[in] queries dimensions x kernel_queries: coordinate d of query q is entry [d * kernel_queries + q]
    * \param[in] targets blocks x dimensions x kernel_lanes: coordinate d of target t is entry

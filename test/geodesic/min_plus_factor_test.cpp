@@ -173,6 +173,26 @@ TEST(MinPlusFactor, GivesUpWhereSeparatorsAreLarge)
   EXPECT_FALSE(MinPlusFactor(graph, 80.0 * static_cast<double>(graph.neighbours.size()), 1).feasible());
 }
 
+TEST(DistanceFieldSolver, GivesTheSameDistancesInPortions)
+{
+  const SurfaceGraph graph = meshGraph(sphereMesh(4));
+  const std::vector<Index> sources = everyVertex(graph, 7);
+  DistanceFieldSolver solver(graph);
+  std::size_t next = 0;
+  for (const std::size_t portion : {3U, 20U, 1U, 60U, 2U, 40U}) { // first searched, then eliminated
+    const std::vector<Index> some(sources.begin() + static_cast<std::ptrdiff_t>(next),
+                                  sources.begin() + static_cast<std::ptrdiff_t>(next + portion));
+    next += portion;
+    const DistanceFields fields = solver.fields(some, 2);
+    for (std::size_t i = 0; i < portion; ++i) {
+      const std::vector<float> expected = distanceField(graph, some[i]);
+      for (std::size_t v = 0; v < graph.size(); ++v) {
+        ASSERT_NEAR(fields.row(i)[v], expected[v], 2e-6F * expected[v]);
+      }
+    }
+  }
+}
+
 TEST(DistanceFields, ManyOnARandomGraphAreSearched)
 {
   const SurfaceGraph graph = randomGraph(4000, 8, evenLength);

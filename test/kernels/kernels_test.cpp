@@ -80,11 +80,11 @@ struct RowProblem {
       float least = infinity;
       std::int32_t best = 0;
       for (std::size_t t = 0; t < targets; ++t) {
-        float value = half_norms[t];
+        float product = 0.0F;
         for (std::size_t d = 0; d < dimensions; ++d) {
-          const float product = at(t, d) * queries[d * kernel_queries + q];
-          value -= product;
+          product += at(t, d) * queries[d * kernel_queries + q];
         }
+        const float value = half_norms[t] - product;
         if (value < least) {
           least = value;
           best = static_cast<std::int32_t>(t);

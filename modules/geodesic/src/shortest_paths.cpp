@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace pcl {
 namespace symmetry {
@@ -43,27 +42,6 @@ struct EngineCosts {
   static constexpr double field_per_vertex = 4.0;
 };
 
-/** The factor of the graph where it will make so many fields faster than searching would. */
-std::unique_ptr<MinPlusFactor>
-factorIfWorthwhile(const SurfaceGraph& graph, std::size_t sources, unsigned threads)
-{
-  constexpr std::size_t fewest_sources = 32; // below, not even the analysis pays
-  const auto count = static_cast<double>(sources);
-  const auto vertices = static_cast<double>(graph.size());
-  const double search = EngineCosts::search_per_edge * static_cast<double>(graph.neighbours.size());
-  if (sources < fewest_sources || search * count < EngineCosts::analysis_per_vertex * vertices) {
-    return nullptr;
-  }
-  auto factor = std::make_unique<MinPlusFactor>(graph, search / EngineCosts::field_per_minimum, threads);
-  const double field = EngineCosts::field_per_minimum * factor->cost().field + EngineCosts::field_per_vertex * vertices;
-  const double elimination = EngineCosts::factor_per_minimum * factor->cost().factor + count * field;
-  if (!factor->feasible() || elimination > search * count) {
-    return nullptr;
-  }
-  factor->factorize(threads);
-  return factor;
-}
-
 void
 searchFields(const SurfaceGraph& graph, const std::vector<Index>& sources, float* rows, unsigned threads)
 {
@@ -98,19 +76,57 @@ distanceField(const SurfaceGraph& graph, Index source)
   return distanceField(graph, std::vector<Index>{source});
 }
 
+DistanceFieldSolver::DistanceFieldSolver(const SurfaceGraph& graph) : graph_(graph)
+{
+}
+
+DistanceFieldSolver::~DistanceFieldSolver() = default;
+
+/** Whether there is a factor; makes it once it is expected to be faster for all sources so far than searching. */
+bool
+DistanceFieldSolver::isFactorized(unsigned threads)
+{
+  constexpr std::size_t fewest_sources = 32; // below, not even the analysis pays
+  const auto count = static_cast<double>(sources_);
+  const auto vertices = static_cast<double>(graph_.size());
+  const double search = EngineCosts::search_per_edge * static_cast<double>(graph_.neighbours.size());
+  if (factorized_ || sources_ < fewest_sources || search * count < EngineCosts::analysis_per_vertex * vertices) {
+    return factorized_;
+  }
+  if (factor_ == nullptr) {
+    factor_ = std::make_unique<MinPlusFactor>(graph_, search / EngineCosts::field_per_minimum, threads);
+  }
+  const double field =
+      EngineCosts::field_per_minimum * factor_->cost().field + EngineCosts::field_per_vertex * vertices;
+  if (factor_->feasible() &&
+      EngineCosts::factor_per_minimum * factor_->cost().factor + count * field < search * count) {
+    factor_->factorize(threads);
+    factorized_ = true;
+  }
+  return factorized_;
+}
+
+DistanceFields
+DistanceFieldSolver::fields(const std::vector<Index>& sources, unsigned threads)
+{
+  constexpr std::size_t fewest_eliminated = 4; // a sweep costs as much for one source as for many
+  DistanceFields fields;
+  fields.columns = graph_.size();
+  fields.values.resize(sources.size() * graph_.size());
+  sources_ += sources.size();
+  if (isFactorized(threads) && sources.size() >= fewest_eliminated) {
+    factor_->fields(sources, fields.values.data(), threads);
+  }
+  else {
+    searchFields(graph_, sources, fields.values.data(), threads);
+  }
+  return fields;
+}
+
 DistanceFields
 distanceFields(const SurfaceGraph& graph, const std::vector<Index>& sources, unsigned threads)
 {
-  DistanceFields fields;
-  fields.columns = graph.size();
-  fields.values.resize(sources.size() * graph.size());
-  if (const auto factor = factorIfWorthwhile(graph, sources.size(), threads)) {
-    factor->fields(sources, fields.values.data(), threads);
-  }
-  else {
-    searchFields(graph, sources, fields.values.data(), threads);
-  }
-  return fields;
+  return DistanceFieldSolver(graph).fields(sources, threads);
 }
 
 std::vector<Index>
