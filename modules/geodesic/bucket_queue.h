@@ -34,6 +34,7 @@ public:
   void
   relax(const std::vector<Index>& sources, float* distances, OnImproved on_improved)
   {
+    constexpr std::size_t ahead = 4; // vertices whose edges are fetched in advance
     std::size_t pending = 0;
     std::size_t current = 0;
     for (const Index source : sources) {
@@ -44,6 +45,11 @@ public:
     while (pending > 0) {
       std::vector<Index>& bucket = ring_[current & mask_];
       for (std::size_t i = 0; i < bucket.size(); ++i) { // grows while it is worked off
+        if (i + ahead < bucket.size()) {
+          const std::uint32_t e = graph_.offsets[bucket[i + ahead]];
+          __builtin_prefetch(graph_.neighbours.data() + e);
+          __builtin_prefetch(graph_.lengths.data() + e);
+        }
         const Index v = bucket[i];
         const float d = distances[v];
         if (d >= expanded_[v]) {

@@ -6,6 +6,7 @@
 #include "geodesic/surface_graph.h"
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace pcl {
@@ -40,8 +41,43 @@ struct DistanceFields {
   }
 };
 
-/** \brief One full field per source, on \a threads threads (0: all cores). The same values for any number of threads.
+class MinPlusFactor;
+
+/** \brief Distance fields of one graph, asked for in one or several portions.
+ *
+ * Few fields are searched one by one as by distanceField (). Once so many have been asked for that elimination
+ * (MinPlusFactor) is expected to be faster, the graph is factorized and the factor kept for the fields to come; these
+ * agree with searched ones but for the rounding of sums, 1e-6 of the distance. Which way is taken depends on the graph
+ * and the numbers of sources alone, so that the values are the same for any number of threads and any machine. Not to
+ * be used from several threads at once.
  */
+class DistanceFieldSolver {
+public:
+  /** \param[in] graph referred to, not copied */
+  explicit DistanceFieldSolver(const SurfaceGraph& graph);
+  ~DistanceFieldSolver();
+  DistanceFieldSolver(const DistanceFieldSolver&) = delete;
+  DistanceFieldSolver&
+  operator=(const DistanceFieldSolver&) = delete;
+  DistanceFieldSolver(DistanceFieldSolver&&) = delete;
+  DistanceFieldSolver&
+  operator=(DistanceFieldSolver&&) = delete;
+
+  /** \brief One full field per source, on \a threads threads (0: all cores). */
+  DistanceFields
+  fields(const std::vector<Index>& sources, unsigned threads);
+
+private:
+  bool
+  isFactorized(unsigned threads);
+
+  const SurfaceGraph& graph_;
+  std::size_t sources_ = 0; ///< asked for so far
+  std::unique_ptr<MinPlusFactor> factor_;
+  bool factorized_ = false;
+};
+
+/** \brief One full field per source, on \a threads threads (0: all cores); see DistanceFieldSolver. */
 DistanceFields
 distanceFields(const SurfaceGraph& graph, const std::vector<Index>& sources, unsigned threads);
 
@@ -52,7 +88,7 @@ shortestPath(const SurfaceGraph& graph, Index source, Index target);
 /** \brief Vertices of a shortest path to \a target, from the source of a field that is already known.
  *
  * Where several paths are equally short that of the lowest vertices, seen from the target, is taken.
- * \param[in] field distances from the source, as distanceField () returns them
+ * \param[in] field distances from the source, as distanceField () or distanceFields () returns them
  * \return first the source or a vertex at distance zero from it; empty where the target cannot be reached
  */
 std::vector<Index>

@@ -6,6 +6,7 @@
 #include "geodesic/shortest_paths.h"
 #include "geodesic/surface_graph.h"
 
+#include <mutex>
 #include <vector>
 
 namespace pcl {
@@ -35,11 +36,12 @@ public:
             unsigned threads) const = 0;
 };
 
-/** \brief Shortest paths along a connected graph; the midpoint is that of such a path. */
+/** \brief Shortest paths along a connected graph; the midpoint is that of such a path. Fields come from one
+ * DistanceFieldSolver: the more of them, the cheaper. */
 class GeodesicMetric : public SurfaceMetric {
 public:
   /** \param[in] graph connected; referred to, not copied */
-  explicit GeodesicMetric(const SurfaceGraph& graph) : graph_(graph)
+  explicit GeodesicMetric(const SurfaceGraph& graph) : graph_(graph), solver_(graph)
   {
   }
 
@@ -57,6 +59,8 @@ public:
 
 private:
   const SurfaceGraph& graph_;
+  mutable DistanceFieldSolver solver_;
+  mutable std::mutex solver_mutex_;
 };
 
 /** \brief Straight lines; the midpoint is the vertex nearest to the middle of the line. Every operation is O(n) per

@@ -56,7 +56,7 @@ featureFloors(const FeatureVectors& features);
 
 /** \brief D = sum over i of ((rho_i - rho'_i) / rho_i)^2, rho_i of the query bounded from below by its floor.
  *
- * Terms are added in eight interleaved sums, in the order DenseMatcher uses: the two agree to the last bit.
+ * Terms are added in interleaved sums, in the order DenseMatcher uses: the two agree to the last bit.
  */
 float
 dissimilarity(const float* query, const float* candidate, const std::vector<float>& floors);

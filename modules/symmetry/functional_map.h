@@ -6,6 +6,7 @@
  */
 #pragma once
 
+#include "symmetry/row_search.h"
 #include "symmetry/shape_descriptor.h"
 
 #include <pcl/symmetry/surface.h>
@@ -22,7 +23,7 @@ using SampleMap = std::vector<Index>;
 
 /** \brief For each row of \a queries the row of \a targets at the least Euclidean distance (ties: the lowest). */
 SampleMap
-nearestRows(const Eigen::MatrixXf& queries, const Eigen::MatrixXf& targets);
+nearestRows(const Eigen::MatrixXf& queries, const Eigen::MatrixXf& targets, unsigned threads = 1);
 
 /** \brief The symmetric matrix with eigenvalues +-1 that is nearest to \a matrix.
  *
@@ -54,20 +55,21 @@ public:
 
   /** \brief For each number of functions: the matrix of the map, made an involution, and the map of that matrix.
    * \param[in,out] map partner of each sample that takes part, among them
+   * \param[in] threads 0: all cores; the result does not depend on it
    * \return the last matrix */
   Eigen::MatrixXf
-  refine(SampleMap& map) const;
+  refine(SampleMap& map, unsigned threads = 1) const;
 
 private:
   struct Level {
     Eigen::MatrixXf functions;
     Eigen::MatrixXf pseudo_inverse;
-    Eigen::MatrixXf targets; ///< functions, then the weighted local parts
-    float weight = 0.0F;     ///< of the local parts
+    RowSearch search;    ///< among the functions, then the weighted local parts
+    float weight = 0.0F; ///< of the local parts
   };
 
   SampleMap
-  match(const Level& level, const Eigen::MatrixXf& matrix) const;
+  match(const Level& level, const Eigen::MatrixXf& matrix, unsigned threads) const;
 
   const ShapeDescriptor* descriptor_ = nullptr; ///< null: no guidance
   std::vector<Level> levels_;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -176,6 +177,52 @@ TEST_F(IntrinsicSymmetryProgram, ExplainsItself)
   const ProgramRun version = runProgram(program, {"--version"});
   EXPECT_EQ(version.exit_status, 0);
   EXPECT_NE(version.output.find(PCL_SYMMETRY_VERSION), std::string::npos) << version.output;
+}
+
+/** \brief Sets an environment variable for the programs a test starts. */
+class ScopedVariable {
+public:
+  ScopedVariable(const char* name, const char* value) : name_(name)
+  {
+    setenv(name, value, 1);
+  }
+
+  ~ScopedVariable()
+  {
+    unsetenv(name_);
+  }
+
+  ScopedVariable(const ScopedVariable&) = delete;
+  ScopedVariable&
+  operator=(const ScopedVariable&) = delete;
+  ScopedVariable(ScopedVariable&&) = delete;
+  ScopedVariable&
+  operator=(ScopedVariable&&) = delete;
+
+private:
+  const char* name_;
+};
+
+TEST_F(IntrinsicSymmetryProgram, WritesTheSameBytesWithEveryInstructionSet)
+{
+  // One that the machine lacks means the best it has: these runs agree all the same.
+  for (const std::string method : {"robust", "staged"}) {
+    std::string expected;
+    for (const char* set : {"baseline", "avx2", "avx512"}) {
+      const ScopedVariable variable("PCL_SYMMETRY_INSTRUCTION_SET", set);
+      const std::string map = results_.file(method + set + ".csv");
+      const std::string matches = results_.file(method + set + "-matches.csv");
+      ASSERT_EQ(
+          runProgram(program, {human(), "--method", method, "--map", map, "--correspondences", matches}).exit_status,
+          0);
+      const std::string bytes = readBytes(map) + readBytes(matches);
+      EXPECT_GT(countLines(bytes), 4000U);
+      if (expected.empty()) {
+        expected = bytes;
+      }
+      EXPECT_EQ(bytes, expected) << method << " with " << set;
+    }
+  }
 }
 
 } // namespace

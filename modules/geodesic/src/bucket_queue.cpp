@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace pcl {
 namespace symmetry {
@@ -24,12 +25,16 @@ powerOfTwoAbove(std::size_t value)
 BucketQueue::BucketQueue(const SurfaceGraph& graph)
     : graph_(graph), expanded_(graph.size(), std::numeric_limits<float>::infinity())
 {
-  double sum = 0.0;
-  float longest = 0.0F;
-  for (const float length : graph.lengths) {
-    sum += length;
-    longest = std::max(longest, length);
+  // Several sums side by side: one alone would wait for each addition to end before it begins the next.
+  constexpr std::size_t sums = 8;
+  double partial[sums] = {};
+  float longest_of[sums] = {};
+  for (std::size_t e = 0; e < graph.lengths.size(); ++e) {
+    partial[e % sums] += graph.lengths[e];
+    longest_of[e % sums] = std::max(longest_of[e % sums], graph.lengths[e]);
   }
+  const double sum = std::accumulate(partial, partial + sums, 0.0);
+  const float longest = *std::max_element(longest_of, longest_of + sums);
   // Half the mean edge length: narrow enough that few vertices are expanded twice, wide enough that few buckets are
   // empty.
   double width = graph.lengths.empty() ? 1.0 : 0.5 * sum / static_cast<double>(graph.lengths.size());

@@ -12,7 +12,8 @@ namespace symmetry {
 DistanceFields
 GeodesicMetric::fields(const std::vector<Index>& sources, unsigned threads) const
 {
-  return distanceFields(graph_, sources, threads);
+  const std::lock_guard<std::mutex> lock(solver_mutex_);
+  return solver_.fields(sources, threads);
 }
 
 std::vector<Index>

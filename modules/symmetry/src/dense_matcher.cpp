@@ -1,6 +1,7 @@
 #include "symmetry/dense_matcher.h"
 
 #include "geodesic/parallel.h"
+#include "kernels/kernels.h"
 #include "symmetry/feature_kernels.h"
 
 #include <algorithm>
@@ -142,8 +143,8 @@ private:
   evaluate(std::size_t entry)
   {
     const float* candidate = &tree_.features_[entry * tree_.padded_];
-    const float value = sumOfSquares(tree_.padded_, best_.dissimilarity,
-                                     [&](std::size_t i) { return (query_[i] - candidate[i]) * weights_[i]; });
+    const float value =
+        table_.weighted_distance(query_.data(), candidate, weights_.data(), tree_.padded_, best_.dissimilarity);
     const auto row = static_cast<std::ptrdiff_t>(tree_.order_[entry]);
     if (value < best_.dissimilarity || (value == best_.dissimilarity && row < best_.row) || best_.row < 0) {
       best_ = {row, value};
@@ -156,9 +157,8 @@ private:
   {
     const float* lower = &tree_.lower_[node * tree_.padded_];
     const float* upper = &tree_.upper_[node * tree_.padded_];
-    return sumOfSquares(tree_.padded_, best_.dissimilarity, [&](std::size_t i) {
-      return std::max(std::max(lower[i] - query_[i], query_[i] - upper[i]), 0.0F) * weights_[i];
-    });
+    return table_.weighted_box_distance(query_.data(), lower, upper, weights_.data(), tree_.padded_,
+                                        best_.dissimilarity);
   }
 
   void
@@ -181,6 +181,7 @@ private:
   }
 
   const DenseMatcher& tree_;
+  const KernelTable& table_ = kernels();
   std::vector<float> query_;
   std::vector<float> weights_;
   FeatureMatch best_;

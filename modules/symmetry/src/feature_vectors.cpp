@@ -2,8 +2,6 @@
 
 #include "symmetry/feature_kernels.h"
 
-#include <limits>
-
 namespace pcl {
 namespace symmetry {
 
@@ -27,7 +25,7 @@ dissimilarity(const float* query, const float* candidate, const std::vector<floa
 {
   const std::size_t dimensions = floors.size();
   const std::size_t padded = (dimensions + feature_lanes - 1) / feature_lanes * feature_lanes;
-  return sumOfSquares(padded, std::numeric_limits<float>::infinity(), [&](std::size_t i) {
+  return sumOfSquares(padded, [&](std::size_t i) {
     return i < dimensions ? (query[i] - candidate[i]) * featureWeight(query[i], floors[i]) : 0.0F;
   });
 }

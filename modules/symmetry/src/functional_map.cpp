@@ -8,18 +8,29 @@
 namespace pcl {
 namespace symmetry {
 
-SampleMap
-nearestRows(const Eigen::MatrixXf& queries, const Eigen::MatrixXf& targets)
+namespace {
+
+/** Row i of the result is row rows[i] of the matrix. */
+Eigen::MatrixXf
+rowsOf(const Eigen::MatrixXf& matrix, const SampleMap& rows)
 {
-  const Eigen::VectorXf half_norms = 0.5F * targets.rowwise().squaredNorm();
-  const Eigen::MatrixXf products = targets * queries.transpose();
-  SampleMap nearest(static_cast<std::size_t>(queries.rows()));
-  for (Eigen::Index i = 0; i < queries.rows(); ++i) {
-    Eigen::Index best = 0;
-    (half_norms - products.col(i)).minCoeff(&best);
-    nearest[static_cast<std::size_t>(i)] = static_cast<Index>(best);
+  Eigen::MatrixXf picked(static_cast<Eigen::Index>(rows.size()), matrix.cols());
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
+    const float* from = matrix.col(column).data();
+    float* to = picked.col(column).data();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      to[i] = from[rows[i]];
+    }
   }
-  return nearest;
+  return picked;
+}
+
+} // namespace
+
+SampleMap
+nearestRows(const Eigen::MatrixXf& queries, const Eigen::MatrixXf& targets, unsigned threads)
+{
+  return RowSearch(targets).nearest(queries, threads);
 }
 
 Eigen::MatrixXf
@@ -40,6 +51,7 @@ UpwardRefinement::UpwardRefinement(const Eigen::MatrixXf& functions,
     level.functions = functions.topLeftCorner(samples, std::min<Eigen::Index>(d, functions.cols()));
     const Eigen::MatrixXf gram = level.functions.transpose() * level.functions;
     level.pseudo_inverse = gram.ldlt().solve(level.functions.transpose());
+    level.search = RowSearch(level.functions);
     levels_.push_back(std::move(level));
   }
 }
@@ -56,36 +68,35 @@ UpwardRefinement::UpwardRefinement(const Eigen::MatrixXf& functions,
   for (Level& level : levels_) {
     // The eigenfunctions have unit variance each: their sum grows with their number.
     level.weight = guidance * std::sqrt(static_cast<float>(level.functions.cols()));
-    level.targets.resize(samples, level.functions.cols() + local_parts.cols());
-    level.targets << level.functions, level.weight * local_parts;
+    Eigen::MatrixXf targets(samples, level.functions.cols() + local_parts.cols());
+    targets << level.functions, level.weight * local_parts;
+    level.search = RowSearch(targets);
   }
 }
 
 SampleMap
-UpwardRefinement::match(const Level& level, const Eigen::MatrixXf& matrix) const
+UpwardRefinement::match(const Level& level, const Eigen::MatrixXf& matrix, unsigned threads) const
 {
+  const Eigen::MatrixXf images = level.functions * matrix;
   if (descriptor_ == nullptr) {
-    return nearestRows(level.functions * matrix, level.functions);
+    return level.search.nearest(images, threads);
   }
   // Row and column 0 belong to the constant function.
   const Eigen::Index d = matrix.cols() - 1;
-  Eigen::MatrixXf queries(level.targets.rows(), level.targets.cols());
-  queries << level.functions * matrix,
-      level.weight * descriptor_->mirroredLocalParts(matrix.bottomRightCorner(d, d), level.targets.rows());
-  return nearestRows(queries, level.targets);
+  const Eigen::MatrixXf local_parts =
+      descriptor_->mirroredLocalParts(matrix.bottomRightCorner(d, d), level.functions.rows());
+  Eigen::MatrixXf queries(images.rows(), images.cols() + local_parts.cols());
+  queries << images, level.weight * local_parts;
+  return level.search.nearest(queries, threads);
 }
 
 Eigen::MatrixXf
-UpwardRefinement::refine(SampleMap& map) const
+UpwardRefinement::refine(SampleMap& map, unsigned threads) const
 {
   Eigen::MatrixXf matrix;
   for (const Level& level : levels_) {
-    Eigen::MatrixXf pulled_back(level.functions.rows(), level.functions.cols());
-    for (Eigen::Index i = 0; i < pulled_back.rows(); ++i) {
-      pulled_back.row(i) = level.functions.row(map[static_cast<std::size_t>(i)]);
-    }
-    matrix = nearestInvolution(level.pseudo_inverse * pulled_back);
-    map = match(level, matrix);
+    matrix = nearestInvolution(level.pseudo_inverse * rowsOf(level.functions, map));
+    map = match(level, matrix, threads);
   }
   return matrix;
 }

@@ -1,8 +1,8 @@
 #include "symmetry/laplacian_basis.h"
 
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-#include <Spectra/MatOp/SparseSymShiftSolve.h>
 #include <Spectra/SymEigsShiftSolver.h>
 #include <algorithm>
 
@@ -32,6 +32,47 @@ normalizedLaplacian(const CoarseSurface& surface, const Eigen::VectorXd& inverse
   return laplacian;
 }
 
+/** (A - shift)^-1 as Spectra wants it, for a symmetric A. Spectra's own factorizes by LU, which makes no use of
+ * symmetry.
+ */
+class ShiftedInverse {
+public:
+  using Scalar = double;
+
+  explicit ShiftedInverse(const SparseMatrix& matrix) : matrix_(matrix)
+  {
+  }
+
+  Eigen::Index
+  rows() const
+  {
+    return matrix_.rows();
+  }
+
+  Eigen::Index
+  cols() const
+  {
+    return matrix_.cols();
+  }
+
+  void
+  set_shift(double shift)
+  {
+    factor_.setShift(-shift);
+    factor_.compute(matrix_);
+  }
+
+  void
+  perform_op(const double* from, double* to) const
+  {
+    Eigen::Map<Eigen::VectorXd>(to, rows()) = factor_.solve(Eigen::Map<const Eigen::VectorXd>(from, cols()));
+  }
+
+private:
+  const SparseMatrix& matrix_;
+  Eigen::SimplicialLDLT<SparseMatrix> factor_;
+};
+
 } // namespace
 
 LaplacianBasis
@@ -45,10 +86,10 @@ laplacianBasis(const CoarseSurface& surface, int count)
   const Eigen::VectorXd inverse_root_mass = basis.masses.cast<double>().cwiseSqrt().cwiseInverse();
   const SparseMatrix laplacian = normalizedLaplacian(surface, inverse_root_mass);
 
-  Spectra::SparseSymShiftSolve<double> inverse(laplacian);
+  ShiftedInverse inverse(laplacian);
   const auto wanted = std::min<Eigen::Index>(count, laplacian.rows() / 2);
-  Spectra::SymEigsShiftSolver<Spectra::SparseSymShiftSolve<double>> solver(
-      inverse, wanted, std::min<Eigen::Index>(laplacian.rows(), 2 * wanted + 10), -1.0);
+  Spectra::SymEigsShiftSolver<ShiftedInverse> solver(inverse, wanted,
+                                                     std::min<Eigen::Index>(laplacian.rows(), wanted + 30), -1.0);
   const Eigen::VectorXd start =
       inverse_root_mass.cwiseInverse() + Eigen::VectorXd::LinSpaced(laplacian.rows(), -0.01, 0.01);
   solver.init(start.data());

@@ -22,6 +22,46 @@ cellAndNeighbours(const SurfaceGraph& graph, Index cell)
   return cells;
 }
 
+using RowMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/** Points of each cell among which partners are searched, with the eigenfunctions there: cell i owns entries and rows
+ * [offsets[i], offsets[i + 1]). */
+struct CellProbes {
+  std::vector<std::uint32_t> offsets{0};
+  std::vector<Index> points;
+  RowMatrix functions;
+};
+
+CellProbes
+probeCells(const SampleInterpolation& interpolation,
+           const CellMembers& members,
+           const RowMatrix& functions,
+           unsigned threads)
+{
+  // In a dense cell a part of the points is enough: the fit of the points around averages what is lost.
+  constexpr std::uint32_t most_per_cell = 48;
+  CellProbes probes;
+  for (std::size_t cell = 0; cell + 1 < members.offsets.size(); ++cell) {
+    const std::uint32_t step = 1 + (members.offsets[cell + 1] - members.offsets[cell]) / most_per_cell;
+    for (std::uint32_t e = members.offsets[cell]; e < members.offsets[cell + 1]; e += step) {
+      probes.points.push_back(members.points[e]);
+    }
+    probes.offsets.push_back(static_cast<std::uint32_t>(probes.points.size()));
+  }
+  probes.functions.setZero(static_cast<Eigen::Index>(probes.points.size()), functions.cols());
+  parallelFor(
+      probes.points.size(), threads,
+      [&](std::size_t p) {
+        auto row = probes.functions.row(static_cast<Eigen::Index>(p));
+        const Index point = probes.points[p];
+        for (std::uint32_t e = interpolation.offsets[point]; e < interpolation.offsets[point + 1]; ++e) {
+          row += interpolation.weights[e] * functions.row(interpolation.samples[e]);
+        }
+      },
+      256);
+  return probes;
+}
+
 /** Point of the given cells that is nearest to a position. */
 Index
 nearestPoint(const std::vector<Vector3>& points,
@@ -73,24 +113,19 @@ partnersOfSamples(const CoarseSurface& coarse,
                   unsigned threads)
 {
   const Eigen::MatrixXf functions = basis.functions.leftCols(matrix.cols());
-  const Eigen::MatrixXf wanted = functions * matrix;
-  // In a dense cell a part of the points is enough: the fit of the points around averages what is lost.
-  constexpr std::uint32_t most_per_cell = 48;
+  const RowMatrix wanted = functions * matrix;
+  const CellProbes probes = probeCells(interpolation, members, functions, threads);
   std::vector<Index> partners(coarse.size());
   parallelFor(
       coarse.size(), threads,
       [&](std::size_t i) {
         float least = std::numeric_limits<float>::infinity();
         for (const Index cell : cellAndNeighbours(coarse.graph, map[i])) {
-          const std::uint32_t step = 1 + (members.offsets[cell + 1] - members.offsets[cell]) / most_per_cell;
-          for (std::uint32_t e = members.offsets[cell]; e < members.offsets[cell + 1]; e += step) {
-            const Index candidate = members.points[e];
-            const float squared = (interpolation.at(static_cast<std::size_t>(candidate), functions) -
-                                   wanted.row(static_cast<Eigen::Index>(i)))
-                                      .squaredNorm();
+          for (std::uint32_t p = probes.offsets[cell]; p < probes.offsets[cell + 1]; ++p) {
+            const float squared = (probes.functions.row(p) - wanted.row(static_cast<Eigen::Index>(i))).squaredNorm();
             if (squared < least) {
               least = squared;
-              partners[i] = candidate;
+              partners[i] = probes.points[p];
             }
           }
         }

@@ -50,13 +50,13 @@ refineOnAllSamples(const SurfaceModel& model,
   const auto count = static_cast<Eigen::Index>(model.coarse.size());
   const Eigen::MatrixXf functions = model.basis.functions.leftCols(candidate.matrix.cols());
   SampleEstimate estimate;
-  estimate.map = nearestRows(functions * candidate.matrix, functions);
+  estimate.map = nearestRows(functions * candidate.matrix, functions, threads);
   DescriptorWeights weights = settings.search.descriptor;
   weights.oriented_dimensions = settings.final_guide_dimensions;
   const ShapeDescriptor guide = describeShape(model.coarse, model.basis, settings.final_guide_dimensions, weights);
   const UpwardRefinement refinement(model.basis.functions, guide, count, settings.final_levels,
                                     settings.final_guidance);
-  estimate.matrix = refinement.refine(estimate.map);
+  estimate.matrix = refinement.refine(estimate.map, threads);
   estimate.partners = partnersOfSamples(model.coarse, model.basis, transfer.interpolation, transfer.members,
                                         estimate.map, estimate.matrix, threads);
   return estimate;

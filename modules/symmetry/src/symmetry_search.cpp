@@ -43,13 +43,13 @@ tryHypotheses(const std::vector<SymmetryHypothesis>& hypotheses,
 {
   const auto queries = static_cast<Eigen::Index>(std::min(settings.coarse_queries, hubs.size()));
   const auto targets = static_cast<Eigen::Index>(std::min(settings.coarse_targets, hubs.size()));
-  const Eigen::MatrixXf all = descriptor.joined(targets);
+  const RowSearch search(descriptor.joined(targets));
   std::vector<SymmetryCandidate> candidates(hypotheses.size());
   parallelFor(hypotheses.size(), threads, [&](std::size_t i) {
     SymmetryCandidate& candidate = candidates[i];
     candidate.source = hypotheses[i].source;
     candidate.matrix = hypotheses[i].action;
-    candidate.map = nearestRows(descriptor.mirrored(hypotheses[i].action, queries), all);
+    candidate.map = search.nearest(descriptor.mirrored(hypotheses[i].action, queries));
     candidate.score = scoreMap(hubs, descriptor, candidate.map, candidate.map.size(), settings.score);
   });
   return candidates;
@@ -77,7 +77,7 @@ public:
   void
   refine(SymmetryCandidate& candidate) const
   {
-    candidate.map = nearestRows(descriptor_.mirrored(candidate.matrix, count()), targets_);
+    candidate.map = targets_.nearest(descriptor_.mirrored(candidate.matrix, count()));
     finish(candidate);
   }
 
@@ -162,7 +162,7 @@ private:
   const HubSurface& hubs_;
   const SearchSettings& settings_;
   ShapeDescriptor guide_;
-  Eigen::MatrixXf targets_;
+  RowSearch targets_;
   UpwardRefinement refinement_;
   UpwardRefinement last_step_;
 };

@@ -1,0 +1,70 @@
+/** \file
+ * \brief One vector register of the instruction set that the including file is compiled for.
+ *
+ * Vectors wider than the register would be taken apart into scalars: hence the native width, not kernel_lanes.
+ */
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace {
+
+#if defined(__AVX512F__)
+constexpr std::size_t lane_count = 16;
+#elif defined(__AVX2__)
+constexpr std::size_t lane_count = 8;
+#else
+constexpr std::size_t lane_count = 4;
+#endif
+
+using Lanes = float __attribute__((vector_size(lane_count * sizeof(float))));
+using IndexLanes = std::int32_t __attribute__((vector_size(lane_count * sizeof(std::int32_t))));
+
+// Without any demand on alignment.
+using UnalignedLanes =
+    float __attribute__((vector_size(lane_count * sizeof(float)), aligned(sizeof(float)), may_alias));
+
+inline Lanes
+load(const float* from)
+{
+  return *reinterpret_cast<const UnalignedLanes*>(from);
+}
+
+inline void
+store(float* to, Lanes lanes)
+{
+  *reinterpret_cast<UnalignedLanes*>(to) = lanes;
+}
+
+inline Lanes
+broadcast(float value)
+{
+  return value - Lanes{};
+}
+
+inline IndexLanes
+broadcast(std::int32_t value)
+{
+  return value - IndexLanes{};
+}
+
+// Four lanes, which every instruction set has.
+
+using FourLanes = float __attribute__((vector_size(4 * sizeof(float))));
+using FourIndices = std::int32_t __attribute__((vector_size(4 * sizeof(std::int32_t))));
+using UnalignedFourLanes = float __attribute__((vector_size(4 * sizeof(float)), aligned(sizeof(float)), may_alias));
+
+inline FourLanes
+loadFour(const float* from)
+{
+  return *reinterpret_cast<const UnalignedFourLanes*>(from);
+}
+
+inline void
+storeFour(float* to, FourLanes lanes)
+{
+  *reinterpret_cast<UnalignedFourLanes*>(to) = lanes;
+}
+
+} // namespace

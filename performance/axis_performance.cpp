@@ -1,0 +1,31 @@
+#include "bodies.h"
+#include "symmetry/axis_curve.h"
+#include "symmetry/sides.h"
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::performance;
+
+namespace {
+
+/** Sides and axis of a body that stands in the plane x = 0 before it is posed: the sign is that of its partner. */
+void
+axis(benchmark::State& state)
+{
+  const Human& body = human(state.range(0));
+  const SurfaceGraph& graph = body.surface.graph;
+  std::vector<float> side_function(graph.size(), 0.0F);
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    const Index partner = body.partners[v];
+    if (partner != no_index) {
+      side_function[v] = body.surface.points[v][0] - body.surface.points[partner][0];
+    }
+  }
+  for (auto _ : state) {
+    const std::vector<float> values = absorbSpecks(graph, side_function);
+    const std::vector<Side> sides = labelSides(graph, values);
+    benchmark::DoNotOptimize(traceAxis(graph, body.surface.triangles, values, sides));
+  }
+}
+BENCHMARK(axis)->Apply(onAllSizes);
+
+} // namespace

@@ -1,0 +1,264 @@
+#include "kernels/kernels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace pcl::symmetry;
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/** Numbers whose sums and products need rounding. */
+std::vector<float>
+randomNumbers(std::size_t count, unsigned seed, float low, float high)
+{
+  std::mt19937 random(seed);
+  std::vector<float> numbers(count);
+  for (float& x : numbers) {
+    x = low + (high - low) * static_cast<float>(random()) / static_cast<float>(random.max());
+  }
+  return numbers;
+}
+
+/** Targets and queries as the kernel takes them. */
+struct RowProblem {
+  std::size_t targets;
+  std::size_t dimensions;
+  std::vector<float> packed_targets;
+  std::vector<float> half_norms;
+  std::vector<float> queries;
+
+  RowProblem(std::size_t target_count, std::size_t dimension_count, unsigned seed)
+      : targets(target_count),
+        dimensions(dimension_count),
+        packed_targets(blocks() * dimensions * kernel_lanes),
+        half_norms(blocks() * kernel_lanes, infinity),
+        queries(randomNumbers(dimensions * kernel_queries, seed + 1, -1.0F, 1.0F))
+  {
+    const std::vector<float> values = randomNumbers(targets * dimensions, seed, -1.0F, 1.0F);
+    for (std::size_t t = 0; t < targets; ++t) {
+      half_norms[t] = 0.0F;
+      for (std::size_t d = 0; d < dimensions; ++d) {
+        at(t, d) = values[t * dimensions + d];
+        half_norms[t] += 0.5F * at(t, d) * at(t, d);
+      }
+    }
+  }
+
+  std::size_t
+  blocks() const
+  {
+    return (targets + kernel_lanes - 1) / kernel_lanes;
+  }
+
+  float&
+  at(std::size_t t, std::size_t d)
+  {
+    return packed_targets[(t / kernel_lanes * dimensions + d) * kernel_lanes + t % kernel_lanes];
+  }
+
+  std::vector<std::int32_t>
+  solve(const KernelTable& table) const
+  {
+    std::vector<std::int32_t> nearest(kernel_queries, -1);
+    table.nearest_rows(queries.data(), packed_targets.data(), half_norms.data(), blocks(), dimensions, nearest.data());
+    return nearest;
+  }
+
+  /** The definition, word for word. */
+  std::vector<std::int32_t>
+  expected()
+  {
+    std::vector<std::int32_t> nearest;
+    for (std::size_t q = 0; q < kernel_queries; ++q) {
+      float least = infinity;
+      std::int32_t best = 0;
+      for (std::size_t t = 0; t < targets; ++t) {
+        float product = 0.0F;
+        for (std::size_t d = 0; d < dimensions; ++d) {
+          product += at(t, d) * queries[d * kernel_queries + q];
+        }
+        const float value = half_norms[t] - product;
+        if (value < least) {
+          least = value;
+          best = static_cast<std::int32_t>(t);
+        }
+      }
+      nearest.push_back(best);
+    }
+    return nearest;
+  }
+};
+
+class Kernels : public testing::TestWithParam<InstructionSet> {
+protected:
+  const KernelTable& table = kernelsFor(GetParam());
+};
+
+TEST_P(Kernels, FindTheNearestRows)
+{
+  for (const std::size_t targets : {1U, 15U, 16U, 17U, 100U, 301U}) {
+    for (const std::size_t dimensions : {1U, 2U, 7U, 26U, 88U}) {
+      RowProblem problem(targets, dimensions, static_cast<unsigned>(100 * targets + dimensions));
+      EXPECT_EQ(problem.solve(table), problem.expected()) << targets << " targets, " << dimensions << " dimensions";
+    }
+  }
+}
+
+TEST_P(Kernels, GiveTiesBetweenRowsToTheLowest)
+{
+  RowProblem problem(77, 5, 3);
+  for (const std::size_t copy : {20U, 21U, 60U, 76U}) { // other lanes and other blocks
+    for (std::size_t d = 0; d < problem.dimensions; ++d) {
+      problem.at(copy, d) = problem.at(9, d);
+    }
+    problem.half_norms[copy] = problem.half_norms[9];
+  }
+  for (std::size_t d = 0; d < problem.dimensions; ++d) {
+    problem.queries[d * kernel_queries + 4] = problem.at(9, d);
+  }
+  EXPECT_EQ(problem.solve(table), problem.expected());
+  EXPECT_EQ(problem.solve(table)[4], 9);
+  std::fill(problem.packed_targets.begin(), problem.packed_targets.end(), 0.0F);
+  std::fill_n(problem.half_norms.begin(), problem.targets, 1.0F);
+  EXPECT_EQ(problem.solve(table), std::vector<std::int32_t>(kernel_queries, 0));
+}
+
+TEST_P(Kernels, MultiplyOverMinAndPlus)
+{
+  for (const std::size_t rows : {4U, 8U, 12U, 16U, 44U}) {
+    for (const std::size_t depth : {0U, 1U, 5U, 33U}) {
+      for (const std::size_t columns : {16U, 48U}) {
+        const std::size_t left_stride = rows + 3;
+        const std::size_t stride = columns + 5;
+        const std::vector<float> left = randomNumbers(depth * left_stride, 1, 0.0F, 9.0F);
+        const std::vector<float> right = randomNumbers(depth * stride, 2, 0.0F, 9.0F);
+        const std::vector<float> before = randomNumbers(rows * stride, 3, 1.0F, 9.0F);
+        std::vector<float> expected = before;
+        for (std::size_t i = 0; i < rows; ++i) {
+          for (std::size_t j = 0; j < columns; ++j) {
+            for (std::size_t k = 0; k < depth; ++k) {
+              expected[i * stride + j] =
+                  std::min(expected[i * stride + j], left[k * left_stride + i] + right[k * stride + j]);
+            }
+          }
+        }
+        std::vector<float> result = before;
+        table.min_plus(result.data(), stride, left.data(), left_stride, right.data(), stride, rows, depth, columns);
+        EXPECT_EQ(result, expected) << rows << " x " << depth << " x " << columns;
+      }
+    }
+  }
+}
+
+TEST_P(Kernels, MultiplyWithPickedRows)
+{
+  constexpr std::size_t rows = 20;
+  constexpr std::size_t depth = 7;
+  const std::vector<std::uint32_t> picked{4, 0, 9, 9, 2, 1, 30};
+  const std::vector<float> left = randomNumbers(depth * rows, 1, 0.0F, 9.0F);
+  const std::vector<float> right = randomNumbers(31 * kernel_lanes, 2, 0.0F, 9.0F);
+  std::vector<float> gathered;
+  for (const std::uint32_t row : picked) {
+    gathered.insert(gathered.end(), right.begin() + row * kernel_lanes, right.begin() + (row + 1) * kernel_lanes);
+  }
+  std::vector<float> expected(rows * kernel_lanes, infinity);
+  std::vector<float> result = expected;
+  table.min_plus(expected.data(), kernel_lanes, left.data(), rows, gathered.data(), kernel_lanes, rows, depth,
+                 kernel_lanes);
+  table.min_plus_picked(result.data(), left.data(), rows, right.data(), picked.data(), rows, depth, kernel_lanes);
+  EXPECT_EQ(result, expected);
+}
+
+TEST_P(Kernels, CloseATile)
+{
+  constexpr std::size_t stride = kernel_lanes + 2;
+  std::vector<float> tile = randomNumbers(kernel_lanes * stride, 5, 0.0F, 1.0F);
+  for (float& length : tile) {
+    length = length < 0.7F ? infinity : length; // most pairs have no edge
+  }
+  for (std::size_t i = 0; i < kernel_lanes; ++i) {
+    tile[i * stride + i] = 0.0F;
+  }
+  std::vector<float> expected = tile;
+  for (std::size_t k = 0; k < kernel_lanes; ++k) {
+    for (std::size_t i = 0; i < kernel_lanes; ++i) {
+      for (std::size_t j = 0; j < kernel_lanes; ++j) {
+        expected[i * stride + j] =
+            std::min(expected[i * stride + j], expected[i * stride + k] + expected[k * stride + j]);
+      }
+    }
+  }
+  table.close_tile(tile.data(), stride);
+  EXPECT_EQ(tile, expected);
+}
+
+TEST_P(Kernels, TransposeATile)
+{
+  const std::vector<float> tile = randomNumbers(kernel_lanes * kernel_lanes, 6, 0.0F, 1.0F);
+  std::vector<float> result(tile.size());
+  const float* rows[kernel_lanes];
+  float* columns[kernel_lanes];
+  for (std::size_t i = 0; i < kernel_lanes; ++i) {
+    rows[i] = tile.data() + i * kernel_lanes;
+    columns[i] = result.data() + i * kernel_lanes;
+  }
+  table.transpose_tile(rows, columns);
+  for (std::size_t i = 0; i < kernel_lanes; ++i) {
+    for (std::size_t j = 0; j < kernel_lanes; ++j) {
+      EXPECT_EQ(result[j * kernel_lanes + i], tile[i * kernel_lanes + j]);
+    }
+  }
+}
+
+TEST_P(Kernels, AddUpWeightedDistancesInOneOrder)
+{
+  for (const std::size_t padded : {16U, 48U, 64U, 112U}) {
+    const std::vector<float> query = randomNumbers(padded, 1, 0.0F, 1.0F);
+    const std::vector<float> candidate = randomNumbers(padded, 2, 0.0F, 1.0F);
+    const std::vector<float> weights = randomNumbers(padded, 3, 1.0F, 50.0F);
+    const std::vector<float> upper = randomNumbers(padded, 4, 1.0F, 1.2F);
+    float points[kernel_lanes] = {};
+    float boxes[kernel_lanes] = {};
+    for (std::size_t i = 0; i < padded; ++i) {
+      const float difference = (query[i] - candidate[i]) * weights[i];
+      points[i % kernel_lanes] += difference * difference;
+      const float outside = std::max(std::max(candidate[i] - query[i], query[i] - upper[i]), 0.0F) * weights[i];
+      boxes[i % kernel_lanes] += outside * outside;
+    }
+    for (std::size_t half = kernel_lanes / 2; half > 0; half /= 2) {
+      for (std::size_t i = 0; i < half; ++i) {
+        points[i] += points[i + half];
+        boxes[i] += boxes[i + half];
+      }
+    }
+    EXPECT_EQ(table.weighted_distance(query.data(), candidate.data(), weights.data(), padded, infinity), points[0]);
+    EXPECT_EQ(
+        table.weighted_box_distance(query.data(), candidate.data(), upper.data(), weights.data(), padded, infinity),
+        boxes[0]);
+    EXPECT_LE(boxes[0], points[0]);
+    const float limit = 0.1F * points[0];
+    EXPECT_GT(table.weighted_distance(query.data(), candidate.data(), weights.data(), padded, limit), limit);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, Kernels, testing::ValuesIn(availableInstructionSets()), [](const auto& set) {
+  return std::string(instructionSetName(set.param));
+});
+
+TEST(InstructionSets, RiseFromTheBaseline)
+{
+  const std::vector<InstructionSet> available = availableInstructionSets();
+  ASSERT_FALSE(available.empty());
+  EXPECT_EQ(available.front(), InstructionSet::Baseline);
+  EXPECT_TRUE(std::is_sorted(available.begin(), available.end()));
+  EXPECT_NE(std::find(available.begin(), available.end(), instructionSetInUse()), available.end());
+}
+
+} // namespace
