@@ -20,11 +20,20 @@ struct CloudSurface {
   std::size_t bridges = 0;          ///< edges put in to join what fell apart without them
 };
 
+/** \brief What is taken for a shortcut between parts in contact. Where parts touch, points of both lie closer together
+ * than the spacing and normals turn from one part to the other in a few steps; on a thin or sharp part they do so as
+ * well. How far to go is for the caller to try. */
+struct ContactTest {
+  float bend = 0.5F;   ///< least cosine between the normals at the ends of an edge that is trusted
+  float detour = 3.0F; ///< a distrusted edge is kept if the way round it is at most so many times as long
+};
+
 /** \brief Builds graph, normals and triangles of a cloud.
  *
  * An edge of the k-nearest-neighbour graph is distrusted where it runs along a normal instead of along the surface
- * (it leads to another part in contact), or where the oriented normals at its ends oppose. Parts that the plain
- * graph joins and the remaining one does not are joined again by their shortest distrusted edges.
+ * (it leads to another part in contact), or where the oriented normals at its ends differ much, unless the way along
+ * trusted edges is hardly longer. Parts that the plain graph joins and the remaining one does not are joined again by
+ * their shortest distrusted edges.
  * \param[in] points all finite
  * \param[in] lists k nearest neighbours
  * \param[in] given_normals used instead of estimated ones; their orientation is trusted; may be empty
@@ -35,6 +44,7 @@ buildCloudSurface(const std::vector<Vector3>& points,
                   const NeighbourLists& lists,
                   const std::vector<Vector3>& given_normals,
                   float radius,
+                  const ContactTest& contact,
                   unsigned threads);
 
 } // namespace symmetry

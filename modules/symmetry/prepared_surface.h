@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "cloud/cloud_surface.h"
 #include "geodesic/neighbour_graph.h"
 #include "geodesic/surface_graph.h"
 
@@ -27,7 +28,10 @@ struct PreparedSurface {
   std::vector<Vector3> normals;    ///< consistently oriented (outward or inward), unit length
   SurfaceGraph graph;              ///< mesh edges, or a neighbour graph of the cloud
   std::vector<Index> original;     ///< input index of each point
-  float scale = 1.0F;              ///< length here = scale * length in the input
+  /** For each input point the point here that stands for it, no_index where it was left out. Several may share one: a
+   * noisy or very large cloud is solved on a thinned-out one. */
+  std::vector<Index> representatives;
+  float scale = 1.0F; ///< length here = scale * length in the input
   InputSummary summary;
 
   std::size_t
@@ -40,9 +44,13 @@ struct PreparedSurface {
 /** \brief Drops what cannot be used, normalises the rest and builds its graph.
  * \param[in] surface the input; triangle indices must be in range
  * \param[in] search nearest-neighbour search; used for clouds only
+ * \param[in] contact how readily edges of a cloud are taken for shortcuts
  */
 PreparedSurface
-prepareSurface(const Surface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search);
+prepareSurface(const Surface& surface,
+               const SymmetryParameters& parameters,
+               const NeighbourSearch& search,
+               const ContactTest& contact = {});
 
 } // namespace symmetry
 } // namespace pcl

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <string>
@@ -31,13 +32,15 @@ public:
 
   /** \brief Starts a step.
    * \param[in] name as in the report
-   * \param[in] fraction share of the whole work that is done, in [0, 1]
+   * \param[in] fraction share of the whole work that is done, in [0, 1]; where a step is done again, what was reached
+   * stands
    * \throws Cancelled the callback returned false */
   void
   start(const char* name, double fraction)
   {
     stop();
-    if (callback_ && !callback_(name, fraction)) {
+    reached_ = std::max(reached_, fraction);
+    if (callback_ && !callback_(name, reached_)) {
       throw Cancelled{};
     }
     running_ = entry(name);
@@ -75,6 +78,7 @@ private:
     return seconds_.size() - 1;
   }
 
+  double reached_ = 0.0;
   Callback callback_;
   std::vector<std::pair<std::string, double>> seconds_;
   std::size_t running_ = none;

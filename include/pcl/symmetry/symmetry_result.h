@@ -51,7 +51,8 @@ struct Polyline {
 struct InputSummary {
   std::size_t points = 0;           ///< of the input
   std::size_t faces = 0;            ///< triangles of the input
-  std::size_t used = 0;             ///< points that took part
+  std::size_t used = 0;             ///< points that took part, themselves or represented by a neighbour
+  std::size_t working_points = 0;   ///< points that were solved for; fewer than used where a cloud was thinned out
   std::size_t non_finite = 0;       ///< points dropped since a coordinate is no finite number
   std::size_t outside_indices = 0;  ///< points that the caller's indices leave out
   std::size_t outliers = 0;         ///< points dropped as outliers
@@ -59,6 +60,7 @@ struct InputSummary {
   std::size_t components = 0;       ///< connected components among the finite points
   std::size_t bridges = 0;          ///< edges added between parts of a cloud
   std::size_t distrusted_edges = 0; ///< edges removed from a cloud's graph as shortcuts between parts in contact
+  float smoothing_radius = 0.0F;    ///< radius of the planes that a noisy cloud was smoothed by; 0: it was not
 };
 
 /** \brief Properties of the dense map. */

@@ -2,11 +2,14 @@
 
 #include "cloud/cloud_normals.h"
 #include "cloud/local_delaunay.h"
+#include "geodesic/shortest_paths.h"
 #include "geodesic/vector_math.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <queue>
 
 namespace pcl {
 namespace symmetry {
@@ -108,6 +111,71 @@ bridgeParts(std::size_t n, std::vector<GraphEdge>& trusted, std::vector<GraphEdg
   return bridges;
 }
 
+/** Searches around a vertex, with memory kept from search to search. */
+class LocalSearch {
+public:
+  explicit LocalSearch(const SurfaceGraph& graph) : graph_(graph), distance_(graph.size(), unreachable)
+  {
+  }
+
+  /** Whether there is a way between two vertices no longer than \a limit. */
+  bool
+  isNear(Index from, Index to, float limit)
+  {
+    bool found = false;
+    push(from, 0.0F);
+    while (!queue_.empty() && !found) {
+      const auto [d, v] = queue_.top();
+      queue_.pop();
+      if (d > distance_[v]) {
+        continue;
+      }
+      found = v == to;
+      for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
+        const float through = d + graph_.lengths[e];
+        if (through <= limit && through < distance_[graph_.neighbours[e]]) {
+          push(graph_.neighbours[e], through);
+        }
+      }
+    }
+    for (const Index v : reached_) {
+      distance_[v] = unreachable;
+    }
+    reached_.clear();
+    queue_ = {};
+    return found;
+  }
+
+private:
+  void
+  push(Index v, float d)
+  {
+    distance_[v] = d;
+    reached_.push_back(v);
+    queue_.push({d, v});
+  }
+
+  using Entry = std::pair<float, Index>;
+  const SurfaceGraph& graph_;
+  std::vector<float> distance_;
+  std::vector<Index> reached_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+};
+
+/** Puts back the edges that shorten no way by much: on a sharp bend they are needed, and they join no parts in contact.
+ */
+void
+restoreHarmless(std::size_t n, float detour, std::vector<GraphEdge>& trusted, std::vector<GraphEdge>& distrusted)
+{
+  const SurfaceGraph graph = buildGraph(n, trusted);
+  LocalSearch search(graph);
+  const auto first_harmful = std::stable_partition(distrusted.begin(), distrusted.end(), [&](const GraphEdge& edge) {
+    return search.isNear(edge.a, edge.b, detour * edge.length);
+  });
+  trusted.insert(trusted.end(), distrusted.begin(), first_harmful);
+  distrusted.erase(distrusted.begin(), first_harmful);
+}
+
 } // namespace
 
 CloudSurface
@@ -115,6 +183,7 @@ buildCloudSurface(const std::vector<Vector3>& points,
                   const NeighbourLists& lists,
                   const std::vector<Vector3>& given_normals,
                   float radius,
+                  const ContactTest& contact,
                   unsigned threads)
 {
   const SurfaceGraph plain = buildNeighbourGraph(points, lists, radius);
@@ -138,9 +207,9 @@ buildCloudSurface(const std::vector<Vector3>& points,
     orientNormals(points, buildGraph(points.size(), whole), cloud.normals);
   }
   separateEdges(trusted, distrusted, [&](const GraphEdge& edge) {
-    constexpr float opposing = -0.3F;
-    return dot(cloud.normals[edge.a], cloud.normals[edge.b]) < opposing;
+    return dot(cloud.normals[edge.a], cloud.normals[edge.b]) < contact.bend;
   });
+  restoreHarmless(points.size(), contact.detour, trusted, distrusted);
 
   cloud.triangles = localDelaunayTriangles(points, cloud.normals, buildGraph(points.size(), trusted), threads);
   cloud.bridges = bridgeParts(points.size(), trusted, distrusted);

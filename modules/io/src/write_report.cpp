@@ -67,6 +67,7 @@ describeInput(const std::string& file, const InputSummary& input)
           {"points", input.points},
           {"faces", input.faces},
           {"used", input.used},
+          {"working_points", input.working_points},
           {"dropped", input.points - std::min(input.used, input.points)},
           {"non_finite", input.non_finite},
           {"outside_indices", input.outside_indices},
@@ -74,7 +75,8 @@ describeInput(const std::string& file, const InputSummary& input)
           {"other_components", input.other_components},
           {"components", input.components},
           {"bridges", input.bridges},
-          {"distrusted_edges", input.distrusted_edges}};
+          {"distrusted_edges", input.distrusted_edges},
+          {"smoothing_radius", toJson(input.smoothing_radius)}};
 }
 
 Json

@@ -29,7 +29,8 @@ emptyResult(const Surface& surface)
 /** Numbers of points of the input in place of those of the prepared surface. */
 class ToInput {
 public:
-  explicit ToInput(const PreparedSurface& prepared) : original_(prepared.original)
+  explicit ToInput(const PreparedSurface& prepared)
+      : original_(prepared.original), representatives_(prepared.representatives)
   {
   }
 
@@ -39,12 +40,18 @@ public:
     return v == no_index ? no_index : original_[v];
   }
 
+  /** Every point of the input gets the value of the point that stands for it. */
   template <typename Value>
   void
   scatter(const std::vector<Value>& from, std::vector<Value>& to) const
   {
-    for (std::size_t v = 0; v < from.size(); ++v) {
-      to[original_[v]] = from[v];
+    if (from.empty()) {
+      return;
+    }
+    for (std::size_t v = 0; v < to.size(); ++v) {
+      if (representatives_[v] != no_index) {
+        to[v] = from[representatives_[v]];
+      }
     }
   }
 
@@ -57,6 +64,7 @@ public:
 
 private:
   const std::vector<Index>& original_;
+  const std::vector<Index>& representatives_;
 };
 
 void
@@ -90,7 +98,7 @@ deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, Symme
     line.points = to_input.renumbered(std::move(line.points));
     result.axis.push_back(std::move(line));
   }
-  result.map.axis = static_cast<std::size_t>(std::count(sides.begin(), sides.end(), Side::Axis));
+  result.map.axis = static_cast<std::size_t>(std::count(result.sides.begin(), result.sides.end(), Side::Axis));
 }
 
 MapEstimate
@@ -103,6 +111,59 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
   return estimateRobust(prepared, parameters, default_settings, timer);
 }
 
+struct Reading {
+  PreparedSurface surface;
+  MapEstimate estimate;
+};
+
+/** Which points of a cloud touch and which are connected cannot always be told: the ways to read it, the most trusting
+ * first. */
+std::vector<ContactTest>
+contactTests(const Surface& surface, const SymmetryParameters& parameters)
+{
+  if (surface.hasFaces() || parameters.method == Method::Staged) {
+    return {ContactTest{}};
+  }
+  return {{0.5F, 3.0F}, {0.8F, 4.0F}, {0.95F, 8.0F}};
+}
+
+bool
+isBetter(const MapEstimate& a, const MapEstimate& b)
+{
+  const bool a_found = a.status == SymmetryStatus::Symmetric;
+  const bool b_found = b.status == SymmetryStatus::Symmetric;
+  return a_found != b_found ? a_found : a.confidence > b.confidence;
+}
+
+/** Of the readings of a surface the one with the most convincing symmetry; the first one that is beyond doubt ends the
+ * search. \param[out] summary what was used, also if the timer cancels */
+Reading
+bestReading(const Surface& surface,
+            const SymmetryParameters& parameters,
+            const NeighbourSearch& search,
+            StepTimer& timer,
+            InputSummary& summary)
+{
+  constexpr float beyond_doubt = 0.9F;
+  Reading best;
+  bool is_first = true;
+  for (const ContactTest& contact : contactTests(surface, parameters)) {
+    timer.start("graph", 0.0);
+    Reading reading;
+    reading.surface = prepareSurface(surface, parameters, search, contact);
+    summary = reading.surface.summary;
+    reading.estimate = estimateMap(reading.surface, parameters, timer);
+    if (is_first || isBetter(reading.estimate, best.estimate)) {
+      best = std::move(reading);
+      is_first = false;
+    }
+    if (best.estimate.confidence >= beyond_doubt || best.estimate.status == SymmetryStatus::TooFewPoints) {
+      break;
+    }
+  }
+  return best;
+}
+
 void
 estimateInto(SymmetryResult& result,
              const Surface& surface,
@@ -110,11 +171,10 @@ estimateInto(SymmetryResult& result,
              const NeighbourSearch& search,
              StepTimer& timer)
 {
-  timer.start("graph", 0.0);
-  const PreparedSurface prepared = prepareSurface(surface, parameters, search);
+  const Reading reading = bestReading(surface, parameters, search, timer, result.input);
+  const PreparedSurface& prepared = reading.surface;
+  const MapEstimate& estimate = reading.estimate;
   result.input = prepared.summary;
-
-  const MapEstimate estimate = estimateMap(prepared, parameters, timer);
   result.status = estimate.status;
   result.message = estimate.message;
   result.confidence = estimate.confidence;
@@ -125,6 +185,8 @@ estimateInto(SymmetryResult& result,
   deliverMap(estimate, prepared, result);
   timer.start("quality", 0.85);
   result.map = measureMap(prepared, estimate.partners, estimate.diameter, parameters.threads);
+  result.map.matched = static_cast<std::size_t>(
+      std::count_if(result.partners.begin(), result.partners.end(), [](Index partner) { return partner != no_index; }));
   timer.start("axis", 0.9);
   deliverSides(estimate, prepared, result);
 }

@@ -1,6 +1,6 @@
 #include "symmetry/prepared_surface.h"
 
-#include "cloud/cloud_surface.h"
+#include "cloud/working_cloud.h"
 #include "geodesic/vector_math.h"
 
 #include <algorithm>
@@ -30,6 +30,9 @@ keepPoints(PreparedSurface& surface, const std::vector<char>& keep)
   }
   surface.points.resize(kept);
   surface.original.resize(kept);
+  for (Index& representative : surface.representatives) {
+    representative = representative == no_index ? no_index : new_number[representative];
+  }
   if (!surface.normals.empty()) {
     surface.normals.resize(kept);
   }
@@ -105,15 +108,51 @@ dropOutliers(PreparedSurface& surface, const SymmetryParameters& parameters, con
   keepPoints(surface, keep);
 }
 
+/** Goes over to a cloud without outliers and noise, of a size that is solved in a moment; the neighbours of its points.
+ */
+NeighbourLists
+reduceCloud(PreparedSurface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
+{
+  constexpr std::size_t most = 60000;
+  NeighbourLists lists = search(surface.points, parameters.k_search);
+  WorkingCloud working = makeWorkingCloud(surface.points, lists, most, parameters.threads);
+  if (working.points.size() == surface.size()) {
+    return lists;
+  }
+  surface.summary.outliers += working.outliers;
+  surface.summary.smoothing_radius = working.smoothing_radius / surface.scale;
+  std::vector<Index> representatives(surface.representatives.size(), no_index);
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    representatives[surface.original[v]] = working.representatives[v];
+  }
+  surface.representatives = std::move(representatives);
+  std::vector<Index> original;
+  std::vector<Vector3> normals;
+  for (const Index v : working.original) {
+    original.push_back(surface.original[v]);
+    if (!surface.normals.empty()) {
+      normals.push_back(surface.normals[v]);
+    }
+  }
+  surface.original = std::move(original);
+  surface.normals = std::move(normals);
+  surface.points = std::move(working.points);
+  return search(surface.points, parameters.k_search);
+}
+
 /** Graph, normals and triangles of a cloud, which has none of them. */
 void
-reconstructCloud(PreparedSurface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
+reconstructCloud(PreparedSurface& surface,
+                 const SymmetryParameters& parameters,
+                 const NeighbourSearch& search,
+                 const ContactTest& contact)
 {
   if (parameters.normals == NormalSource::Estimate) {
     surface.normals.clear();
   }
-  CloudSurface cloud = buildCloudSurface(surface.points, search(surface.points, parameters.k_search), surface.normals,
-                                         parameters.radius * surface.scale, parameters.threads);
+  const NeighbourLists lists = reduceCloud(surface, parameters, search);
+  CloudSurface cloud = buildCloudSurface(surface.points, lists, surface.normals, parameters.radius * surface.scale,
+                                         contact, parameters.threads);
   surface.graph = std::move(cloud.graph);
   surface.normals = std::move(cloud.normals);
   surface.triangles = std::move(cloud.triangles);
@@ -130,7 +169,6 @@ keepLargestComponent(PreparedSurface& surface)
   if (components.sizes.size() < 2) {
     return;
   }
-  surface.summary.other_components = surface.size() - static_cast<std::size_t>(components.sizes[0]);
   std::vector<char> keep(surface.size());
   std::vector<Index> new_number(surface.size(), no_index);
   Index kept = 0;
@@ -151,7 +189,13 @@ keepLargestComponent(PreparedSurface& surface)
     }
   }
   surface.graph = std::move(graph);
+  const auto left_out = [&] {
+    return static_cast<std::size_t>(
+        std::count(surface.representatives.begin(), surface.representatives.end(), no_index));
+  };
+  const std::size_t before = left_out();
   keepPoints(surface, keep);
+  surface.summary.other_components = left_out() - before;
 }
 
 void
@@ -182,7 +226,10 @@ vertexNormals(const std::vector<Vector3>& points, const std::vector<Triangle>& t
 } // namespace
 
 PreparedSurface
-prepareSurface(const Surface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
+prepareSurface(const Surface& surface,
+               const SymmetryParameters& parameters,
+               const NeighbourSearch& search,
+               const ContactTest& contact)
 {
   PreparedSurface prepared;
   prepared.points = surface.points;
@@ -193,6 +240,7 @@ prepareSurface(const Surface& surface, const SymmetryParameters& parameters, con
   for (std::size_t v = 0; v < surface.size(); ++v) {
     prepared.original[v] = static_cast<Index>(v);
   }
+  prepared.representatives = prepared.original;
   prepared.summary.points = surface.size();
   prepared.summary.faces = surface.triangles.size();
 
@@ -203,14 +251,17 @@ prepareSurface(const Surface& surface, const SymmetryParameters& parameters, con
     dropOutliers(prepared, parameters, search);
   }
   if (prepared.is_cloud) {
-    reconstructCloud(prepared, parameters, search);
+    reconstructCloud(prepared, parameters, search, contact);
   }
   else {
     prepared.normals = vertexNormals(prepared.points, prepared.triangles);
     prepared.graph = buildMeshGraph(prepared.points, prepared.triangles);
   }
   keepLargestComponent(prepared);
-  prepared.summary.used = prepared.size();
+  prepared.summary.used =
+      surface.size() -
+      static_cast<std::size_t>(std::count(prepared.representatives.begin(), prepared.representatives.end(), no_index));
+  prepared.summary.working_points = prepared.size();
   return prepared;
 }
 

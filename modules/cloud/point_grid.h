@@ -1,0 +1,59 @@
+/** \file
+ * \brief Points sorted into the cubes of a grid, for searches within a given distance.
+ */
+#pragma once
+
+#include <pcl/symmetry/surface.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Finds the points near a place in constant time where the points are evenly spread; holds numbers, not points.
+ */
+class PointGrid {
+public:
+  /** \param[in] points all finite, within a few units of the origin
+   * \param[in] cell edge of a cube; larger than the extent of the points / 1e6 */
+  PointGrid(const std::vector<Vector3>& points, float cell);
+
+  /** \brief Calls visit (i) for every point i in the 27 cubes around a place: all that are nearer than an edge, and
+   * some more. In a fixed order. */
+  template <typename Visit>
+  void
+  visitAround(const Vector3& place, Visit visit) const
+  {
+    const std::array<std::int64_t, 3> centre = cube(place);
+    for (std::int64_t z = -1; z <= 1; ++z) {
+      for (std::int64_t y = -1; y <= 1; ++y) {
+        const auto [begin, end] = row({centre[0] - 1, centre[1] + y, centre[2] + z});
+        for (std::size_t i = begin; i < end; ++i) {
+          visit(order_[i]);
+        }
+      }
+    }
+  }
+
+private:
+  using Key = std::uint64_t;
+
+  std::array<std::int64_t, 3>
+  cube(const Vector3& p) const;
+
+  static Key
+  key(const std::array<std::int64_t, 3>& c);
+
+  /** Entries of three cubes in a row along x. */
+  std::array<std::size_t, 2>
+  row(const std::array<std::int64_t, 3>& first) const;
+
+  float inverse_cell_;
+  std::vector<Key> keys_;    ///< of the points in order_, ascending
+  std::vector<Index> order_; ///< points by cube, ascending within one
+};
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,36 @@
+/** \file
+ * \brief From what a sensor delivers to a cloud that a surface can be built on: without outliers, thin, not too large.
+ */
+#pragma once
+
+#include "geodesic/neighbour_graph.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief A few points of a cloud that stand for all of it. */
+struct WorkingCloud {
+  std::vector<Vector3> points;        ///< moved onto the surface where the cloud is thick with noise
+  std::vector<Index> original;        ///< point of the cloud that each of them was
+  std::vector<Index> representatives; ///< for every point of the cloud the working point nearest to it; -1: an outlier
+  std::size_t outliers = 0;
+  float smoothing_radius = 0.0F; ///< of the planes that noise was smoothed by; 0: the cloud was thin already
+};
+
+/** \brief Prepares a cloud.
+ *
+ * Outliers are points much farther from their neighbours than these are from theirs (a simple local outlier factor, M.
+ * Breunig et al., 2000), so that uneven density is none. A cloud is thick where, at the distance of its neighbours, it
+ * fills space instead of a plane; then points are moved onto planes fitted to all points within a larger radius: the
+ * smallest at which most neighbourhoods are flat (moving least squares of order 1). Thick and large clouds are thinned
+ * out to an even spacing.
+ * \param[in] points all finite, at unit scale
+ * \param[in] lists their nearest neighbours
+ * \param[in] most how many working points there may be at most */
+WorkingCloud
+makeWorkingCloud(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t most, unsigned threads);
+
+} // namespace symmetry
+} // namespace pcl
