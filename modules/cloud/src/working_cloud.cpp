@@ -68,6 +68,7 @@ struct LocalPlane {
   Vector3 mean{};
   Vector3 normal{};
   float thickness = 0.0F; ///< root mean square distance of the points from it
+  float support = 0.0F;   ///< sum of the weights
 };
 
 LocalPlane
@@ -91,6 +92,7 @@ fitPlane(const std::vector<Vector3>& points, const PointGrid& grid, const Vector
   if (total <= 0.0F) {
     return plane;
   }
+  plane.support = total;
   mean /= total;
   covariance = covariance / total - mean * mean.transpose();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
@@ -104,28 +106,36 @@ fitPlane(const std::vector<Vector3>& points, const PointGrid& grid, const Vector
   return plane;
 }
 
-/** Smallest radius at which the middle one of some neighbourhoods is flat; 0 where that is so at the spacing already.
- */
+/** Radius at which neighbourhoods are flattest for their size: below it noise makes them thick, above it the curvature
+ * of the surface. 0 where they are flat at the spacing already: there is no noise to speak of. */
 float
 smoothingRadius(const std::vector<Vector3>& points, float spacing)
 {
-  constexpr std::size_t probes = 400;
-  constexpr float flat = 0.17F; // thickness per radius; a ball has 0.33, a smooth surface hardly 0.05
-  constexpr float largest = 0.06F;
-  constexpr float step = 1.3F;
+  constexpr std::size_t probes = 600;
+  constexpr float first = 2.2F;    // spacings; with fewer points around, any plane fits
+  constexpr float largest = 0.06F; // of the longest side
+  constexpr float step = 1.25F;
+  constexpr float flat = 0.09F; // thickness over radius; a ball has 0.33, a cleanly sampled body 0.02 to 0.07
   const std::size_t stride = std::max<std::size_t>(1, points.size() / probes);
-  const float first = 2.5F * spacing;
-  for (float radius = first; radius > 0.0F && radius < largest; radius *= step) {
+  float best = 0.0F;
+  float flattest = std::numeric_limits<float>::infinity();
+  for (float radius = first * spacing; radius > 0.0F && radius < largest; radius *= step) {
     const PointGrid grid(points, radius);
     std::vector<float> thickness;
     for (std::size_t v = 0; v < points.size(); v += stride) {
       thickness.push_back(fitPlane(points, grid, points[v], radius).thickness / radius);
     }
-    if (median(std::move(thickness)) < flat) {
-      return radius == first ? 0.0F : radius;
+    const float typical = median(std::move(thickness));
+    if (best == 0.0F && typical < flat) {
+      return 0.0F;
+    }
+    if (typical < flattest) {
+      flattest = typical;
+      best = radius;
     }
   }
-  return 0.0F;
+  constexpr float step_up = 1.25F; // with more points the planes gain in certainty more than they lose
+  return step_up * best;
 }
 
 /** Numbers of points no two of which are closer than a spacing, and all others are within it of one of them. */
@@ -177,10 +187,12 @@ nearestKept(const std::vector<Vector3>& points, const std::vector<Index>& kept, 
   return nearest;
 }
 
-/** Moves points onto the planes around them; twice, as the planes of places off the surface are tilted. */
-void
+/** Moves points onto the planes around them; twice, as the planes of places off the surface are tilted. The support of
+ * each. */
+std::vector<float>
 smooth(std::vector<Vector3>& working, const std::vector<Vector3>& all, float radius, unsigned threads)
 {
+  std::vector<float> support(working.size());
   const PointGrid grid(all, radius);
   constexpr std::size_t grain = 256;
   parallelFor(
@@ -189,9 +201,36 @@ smooth(std::vector<Vector3>& working, const std::vector<Vector3>& all, float rad
         for (int round = 0; round < 2; ++round) {
           const LocalPlane plane = fitPlane(all, grid, working[v], radius);
           working[v] = working[v] - dot(working[v] - plane.mean, plane.normal) * plane.normal;
+          support[v] = plane.support;
         }
       },
       grain);
+  return support;
+}
+
+/** Takes out working points with hardly any others around them, and what they stand for. */
+void
+dropUnsupported(WorkingCloud& cloud, const std::vector<float>& support)
+{
+  constexpr float little = 0.05F; // of the median; the density may well vary by ten
+  const float least = little * median(support);
+  std::vector<Index> new_number(cloud.points.size(), no_index);
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < cloud.points.size(); ++v) {
+    if (support[v] >= least) {
+      cloud.points[kept] = cloud.points[v];
+      cloud.original[kept] = cloud.original[v];
+      new_number[v] = static_cast<Index>(kept++);
+    }
+  }
+  cloud.points.resize(kept);
+  cloud.original.resize(kept);
+  for (Index& representative : cloud.representatives) {
+    if (representative != no_index) {
+      representative = new_number[representative];
+      cloud.outliers += representative == no_index ? 1U : 0U;
+    }
+  }
 }
 
 } // namespace
@@ -213,7 +252,7 @@ makeWorkingCloud(const std::vector<Vector3>& points, const NeighbourLists& lists
   cloud.outliers = points.size() - inliers.size();
   cloud.smoothing_radius = smoothingRadius(inliers, median(mean_distance));
 
-  constexpr float spacings_per_radius = 3.0F;
+  constexpr float spacings_per_radius = 5.0F;
   float spacing = cloud.smoothing_radius / spacings_per_radius;
   std::vector<Index> kept;
   if (spacing > 0.0F) {
@@ -247,7 +286,7 @@ makeWorkingCloud(const std::vector<Vector3>& points, const NeighbourLists& lists
     cloud.original.push_back(number[i]);
   }
   if (cloud.smoothing_radius > 0.0F) {
-    smooth(cloud.points, inliers, cloud.smoothing_radius, threads);
+    dropUnsupported(cloud, smooth(cloud.points, inliers, cloud.smoothing_radius, threads));
   }
   return cloud;
 }
