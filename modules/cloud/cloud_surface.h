@@ -33,7 +33,7 @@ struct ContactTest {
  * An edge of the k-nearest-neighbour graph is distrusted where it runs along a normal instead of along the surface
  * (it leads to another part in contact), or where the oriented normals at its ends differ much, unless the way along
  * trusted edges is hardly longer. Parts that the plain graph joins and the remaining one does not are joined again by
- * their shortest distrusted edges.
+ * their shortest distrusted edges; parts that even the plain graph leaves apart, by links across the gap between them.
  * \param[in] points all finite
  * \param[in] lists k nearest neighbours
  * \param[in] given_normals used instead of estimated ones; their orientation is trusted; may be empty

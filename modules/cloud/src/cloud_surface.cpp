@@ -2,12 +2,14 @@
 
 #include "cloud/cloud_normals.h"
 #include "cloud/local_delaunay.h"
+#include "cloud/point_grid.h"
 #include "geodesic/shortest_paths.h"
 #include "geodesic/vector_math.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <queue>
 
@@ -176,6 +178,48 @@ restoreHarmless(std::size_t n, float detour, std::vector<GraphEdge>& trusted, st
   distrusted.erase(distrusted.begin(), first_harmful);
 }
 
+/** Links across the gaps between the parts of a graph: from each smaller part to the nearest other one, all ways that
+ * are at most twice as long as the shortest. Specks stay apart. */
+std::vector<GraphEdge>
+linksAcrossGaps(const std::vector<Vector3>& points, const SurfaceGraph& graph)
+{
+  constexpr float widest = 0.05F; // of the longest side
+  constexpr Index fewest = 20;
+  std::vector<GraphEdge> links;
+  const Components parts = connectedComponents(graph);
+  if (parts.sizes.size() < 2) {
+    return links;
+  }
+  const PointGrid grid(points, widest);
+  std::vector<std::vector<GraphEdge>> ways(parts.sizes.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const Index part = parts.component_of[v];
+    if (part == 0 || parts.sizes[part] < fewest) {
+      continue;
+    }
+    GraphEdge nearest{static_cast<Index>(v), no_index, widest};
+    grid.visitAround(points[v], [&](Index w) {
+      const Index other = parts.component_of[w];
+      if (other != part && parts.sizes[other] >= fewest && distance(points[v], points[w]) < nearest.length) {
+        nearest.b = w;
+        nearest.length = distance(points[v], points[w]);
+      }
+    });
+    if (nearest.b != no_index) {
+      ways[part].push_back(nearest);
+    }
+  }
+  for (const std::vector<GraphEdge>& candidates : ways) {
+    float shortest = widest;
+    for (const GraphEdge& way : candidates) {
+      shortest = std::min(shortest, way.length);
+    }
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(links),
+                 [shortest](const GraphEdge& way) { return way.length <= 2.0F * shortest; });
+  }
+  return links;
+}
+
 } // namespace
 
 CloudSurface
@@ -187,6 +231,7 @@ buildCloudSurface(const std::vector<Vector3>& points,
                   unsigned threads)
 {
   const SurfaceGraph plain = buildNeighbourGraph(points, lists, radius);
+  const std::vector<GraphEdge> gaps = radius > 0.0F ? std::vector<GraphEdge>{} : linksAcrossGaps(points, plain);
   const std::vector<float> spacing = localSpacing(plain);
   CloudSurface cloud;
   cloud.normals = given_normals.empty() ? estimateNormals(points, lists, threads) : given_normals;
@@ -212,8 +257,9 @@ buildCloudSurface(const std::vector<Vector3>& points,
   restoreHarmless(points.size(), contact.detour, trusted, distrusted);
 
   cloud.triangles = localDelaunayTriangles(points, cloud.normals, buildGraph(points.size(), trusted), threads);
-  cloud.bridges = bridgeParts(points.size(), trusted, distrusted);
-  cloud.distrusted_edges = distrusted.size() - cloud.bridges;
+  cloud.bridges = bridgeParts(points.size(), trusted, distrusted) + gaps.size();
+  cloud.distrusted_edges = distrusted.size() + gaps.size() - cloud.bridges;
+  trusted.insert(trusted.end(), gaps.begin(), gaps.end());
   cloud.graph = buildGraph(points.size(), trusted);
   return cloud;
 }

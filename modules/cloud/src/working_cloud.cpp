@@ -115,7 +115,7 @@ smoothingRadius(const std::vector<Vector3>& points, float spacing)
   constexpr float first = 2.2F;    // spacings; with fewer points around, any plane fits
   constexpr float largest = 0.06F; // of the longest side
   constexpr float step = 1.25F;
-  constexpr float flat = 0.09F; // thickness over radius; a ball has 0.33, a cleanly sampled body 0.02 to 0.07
+  constexpr float flat = 0.115F; // thickness over radius; a ball has 0.33, cleanly sampled bodies 0.02 to 0.1
   const std::size_t stride = std::max<std::size_t>(1, points.size() / probes);
   float best = 0.0F;
   float flattest = std::numeric_limits<float>::infinity();
