@@ -106,31 +106,45 @@ fitPlane(const std::vector<Vector3>& points, const PointGrid& grid, const Vector
   return plane;
 }
 
+/** Median thickness of neighbourhoods over their radius; a ball has 0.33. */
+float
+relativeThickness(const std::vector<Vector3>& points, float radius)
+{
+  constexpr std::size_t probes = 600;
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / probes);
+  const PointGrid grid(points, radius);
+  std::vector<float> thickness;
+  for (std::size_t v = 0; v < points.size(); v += stride) {
+    thickness.push_back(fitPlane(points, grid, points[v], radius).thickness / radius);
+  }
+  return median(std::move(thickness));
+}
+
 /** Radius at which neighbourhoods are flattest for their size: below it noise makes them thick, above it the curvature
- * of the surface. 0 where they are flat at the spacing already: there is no noise to speak of. */
+ * of the surface. 0 where there is no noise to speak of: they are flat at the spacing, or hardly thick there and, since
+ * that comes from curvature, thicker at once above it. */
 float
 smoothingRadius(const std::vector<Vector3>& points, float spacing)
 {
-  constexpr std::size_t probes = 600;
   constexpr float first = 2.2F;    // spacings; with fewer points around, any plane fits
   constexpr float largest = 0.06F; // of the longest side
   constexpr float step = 1.25F;
-  constexpr float flat = 0.115F; // thickness over radius; a ball has 0.33, cleanly sampled bodies 0.02 to 0.1
-  const std::size_t stride = std::max<std::size_t>(1, points.size() / probes);
+  constexpr float flat = 0.09F;
+  constexpr float hardly_thick = 0.14F;
   float best = 0.0F;
   float flattest = std::numeric_limits<float>::infinity();
+  float at_spacing = 0.0F;
   for (float radius = first * spacing; radius > 0.0F && radius < largest; radius *= step) {
-    const PointGrid grid(points, radius);
-    std::vector<float> thickness;
-    for (std::size_t v = 0; v < points.size(); v += stride) {
-      thickness.push_back(fitPlane(points, grid, points[v], radius).thickness / radius);
+    const float thickness = relativeThickness(points, radius);
+    if (best == 0.0F) {
+      at_spacing = thickness;
     }
-    const float typical = median(std::move(thickness));
-    if (best == 0.0F && typical < flat) {
+    const bool is_second = best > 0.0F && radius < 1.1F * step * first * spacing;
+    if (at_spacing < flat || (is_second && at_spacing < hardly_thick && thickness > at_spacing)) {
       return 0.0F;
     }
-    if (typical < flattest) {
-      flattest = typical;
+    if (thickness < flattest) {
+      flattest = thickness;
       best = radius;
     }
   }

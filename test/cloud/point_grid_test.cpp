@@ -1,0 +1,148 @@
+#include "cloud/clouds.h"
+#include "cloud/point_grid.h"
+
+#include <gtest/gtest.h>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+std::vector<Vector3>
+randomPoints(std::size_t n, float low, float high, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<Vector3> points(n);
+  for (Vector3& p : points) {
+    for (float& x : p) {
+      x = evenly(random, low, high);
+    }
+  }
+  return points;
+}
+
+std::vector<Index>
+visited(const PointGrid& grid, const Vector3& place)
+{
+  std::vector<Index> points;
+  grid.visitAround(place, [&](Index i) { points.push_back(i); });
+  return points;
+}
+
+std::vector<Index>
+nearer(const std::vector<Vector3>& points, const Vector3& place, float limit)
+{
+  std::vector<Index> near;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (distance(points[i], place) < limit) {
+      near.push_back(static_cast<Index>(i));
+    }
+  }
+  return near;
+}
+
+/** Those visited that are near, ascending. */
+std::vector<Index>
+visitedNearer(const PointGrid& grid, const std::vector<Vector3>& points, const Vector3& place, float limit)
+{
+  std::vector<Index> near;
+  grid.visitAround(place, [&](Index i) {
+    if (distance(points[i], place) < limit) {
+      near.push_back(i);
+    }
+  });
+  std::sort(near.begin(), near.end());
+  return near;
+}
+
+TEST(PointGrid, FindsThePointsNearerThanAnEdgeOnce)
+{
+  const std::vector<Vector3> points = randomPoints(1500, -1.0F, 1.0F, 1);
+  const std::vector<Vector3> places = randomPoints(300, -1.3F, 1.3F, 2); // some of them outside
+  std::size_t found = 0;
+  for (const float cell : {0.07F, 0.3F, 5.0F}) {
+    const PointGrid grid(points, cell);
+    for (const Vector3& place : places) {
+      const std::vector<Index> near = nearer(points, place, cell);
+      ASSERT_EQ(visitedNearer(grid, points, place, cell), near);
+      found += near.size();
+    }
+  }
+  EXPECT_GT(found, points.size());
+}
+
+TEST(PointGrid, VisitsTheCubesAroundAndNoOthers)
+{
+  // One point in the middle of every cube, on both sides of zero.
+  constexpr float cell = 0.25F;
+  std::vector<Vector3> points;
+  for (int z = -4; z < 4; ++z) {
+    for (int y = -4; y < 4; ++y) {
+      for (int x = -4; x < 4; ++x) {
+        const Vector3 corner{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+        points.push_back(cell * (corner + Vector3{0.5F, 0.5F, 0.5F}));
+      }
+    }
+  }
+  const PointGrid grid(points, cell);
+  std::size_t inside = 0;
+  for (const Vector3& place : points) {
+    std::vector<Index> expected;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector3 offset = points[i] - place;
+      if (std::abs(offset[0]) < 1.5F * cell && std::abs(offset[1]) < 1.5F * cell && std::abs(offset[2]) < 1.5F * cell) {
+        expected.push_back(static_cast<Index>(i));
+      }
+    }
+    std::vector<Index> found = visited(grid, place);
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(found, expected);
+    inside += found.size() == 27 ? 1U : 0U;
+  }
+  EXPECT_EQ(inside, 216U); // the cubes within
+}
+
+TEST(PointGrid, FindsPointsOnTheSidesOfCubesAcrossZero)
+{
+  constexpr float cell = 0.5F;
+  const std::vector<Vector3> points{{-0.49F, 0.0F, 0.0F}, {0.0F, -0.49F, 0.0F}, {0.0F, 0.0F, -0.49F},
+                                    {-0.0F, 0.0F, -0.0F}, {0.49F, 0.0F, 0.0F},  {-0.28F, -0.28F, -0.28F}};
+  const PointGrid grid(points, cell);
+  EXPECT_EQ(visitedNearer(grid, points, {0.0F, 0.0F, 0.0F}, cell), (std::vector<Index>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(visitedNearer(grid, points, {-0.0F, -0.0F, -0.0F}, cell), (std::vector<Index>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(visitedNearer(grid, points, {-0.5F, 0.0F, 0.0F}, cell), (std::vector<Index>{0, 5}));
+}
+
+TEST(PointGrid, OrderIsFixedAndAscendingWithinACube)
+{
+  const std::vector<Vector3> points = randomPoints(500, -1.0F, 1.0F, 3);
+  const Vector3 place{-0.1F, 0.2F, 0.0F};
+  EXPECT_EQ(visited(PointGrid(points, 0.4F), place), visited(PointGrid(points, 0.4F), place));
+
+  const std::vector<Vector3> close = randomPoints(500, 0.1F, 0.2F, 4);
+  std::vector<Index> all(close.size());
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_EQ(visited(PointGrid(close, 1.0F), place), all);
+}
+
+TEST(PointGrid, ManagesTheSmallestCells)
+{
+  constexpr float cell = 1.2e-6F;
+  std::vector<Vector3> points{{-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}, {0.0F, 0.0F, 0.0F}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    points.push_back(points[i] + Vector3{0.0F, 6e-7F, 0.0F});
+  }
+  const PointGrid grid(points, cell);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(visitedNearer(grid, points, points[i], cell), nearer(points, points[i], cell));
+    EXPECT_EQ(visited(grid, points[i]).size(), 2U);
+  }
+}
+
+TEST(PointGrid, VisitsNothingWhereThereIsNothing)
+{
+  EXPECT_TRUE(visited(PointGrid({}, 0.1F), {0.0F, 0.0F, 0.0F}).empty());
+  EXPECT_TRUE(visited(PointGrid({{0.5F, 0.5F, 0.5F}}, 0.1F), {-0.5F, 0.5F, 0.5F}).empty());
+}
+
+} // namespace

@@ -1,0 +1,216 @@
+#include "cloud/clouds.h"
+#include "cloud/working_cloud.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+constexpr float sphere_radius = 0.4F;
+constexpr std::size_t any_number = 1000000;
+
+WorkingCloud
+workingCloud(const std::vector<Vector3>& points, std::size_t most = any_number, unsigned threads = 1)
+{
+  return makeWorkingCloud(points, nearestNeighbours(points, 10), most, threads);
+}
+
+float
+meanErrorOnSphere(const std::vector<Vector3>& points)
+{
+  double sum = 0.0;
+  for (const Vector3& p : points) {
+    sum += std::abs(double{norm(p)} - double{sphere_radius});
+  }
+  return static_cast<float>(sum / static_cast<double>(points.size()));
+}
+
+std::size_t
+unrepresented(const WorkingCloud& cloud)
+{
+  return static_cast<std::size_t>(std::count(cloud.representatives.begin(), cloud.representatives.end(), no_index));
+}
+
+/** One half of a sphere sampled ten times as densely as the other. */
+std::vector<Vector3>
+unevenSphere(std::size_t n)
+{
+  std::vector<Vector3> points;
+  for (const Vector3& p : sphereCloud(2 * n, sphere_radius)) {
+    if (p[0] > 0.0F) {
+      points.push_back(p);
+    }
+  }
+  for (const Vector3& p : sphereCloud(n / 5, sphere_radius)) {
+    if (p[0] <= 0.0F) {
+      points.push_back(p);
+    }
+  }
+  return points;
+}
+
+/** What holds for any working cloud. */
+void
+expectConsistent(const WorkingCloud& cloud, std::size_t points)
+{
+  ASSERT_EQ(cloud.representatives.size(), points);
+  ASSERT_EQ(cloud.original.size(), cloud.points.size());
+  EXPECT_EQ(unrepresented(cloud), cloud.outliers);
+  for (const Index representative : cloud.representatives) {
+    ASSERT_GE(representative, no_index);
+    ASSERT_LT(representative, static_cast<Index>(cloud.points.size()));
+  }
+  for (std::size_t w = 0; w < cloud.points.size(); ++w) {
+    ASSERT_EQ(cloud.representatives[cloud.original[w]], static_cast<Index>(w)); // each stands for itself
+  }
+}
+
+TEST(WorkingCloud, IsTheCloudWhereThatIsCleanAndSmall)
+{
+  const std::vector<Vector3> points = sphereCloud(3000, sphere_radius);
+  const WorkingCloud cloud = workingCloud(points);
+  EXPECT_EQ(cloud.points, points);
+  EXPECT_EQ(cloud.outliers, 0U);
+  EXPECT_EQ(cloud.smoothing_radius, 0.0F);
+  expectConsistent(cloud, points.size());
+}
+
+TEST(WorkingCloud, HasNoOutliers)
+{
+  const std::vector<Vector3> sphere = sphereCloud(3000, sphere_radius);
+  std::vector<Vector3> points = sphere;
+  // Not at the end, so that all numbers behind them change.
+  const std::vector<Vector3> far{{0.5F, 0.5F, 0.5F}, {-0.5F, 0.5F, -0.4F}, {0.0F, 0.0F, 0.0F}, {0.45F, -0.5F, 0.3F}};
+  points.insert(points.begin() + 1000, far.begin(), far.end());
+  const WorkingCloud cloud = workingCloud(points);
+  EXPECT_EQ(cloud.points, sphere);
+  EXPECT_EQ(cloud.outliers, far.size());
+  expectConsistent(cloud, points.size());
+  for (std::size_t i = 0; i < far.size(); ++i) {
+    EXPECT_EQ(cloud.representatives[1000 + i], no_index);
+  }
+  EXPECT_EQ(cloud.representatives[999], 999);
+  EXPECT_EQ(cloud.representatives[1004], 1000);
+}
+
+TEST(WorkingCloud, LiesOnTheSurfaceThatNoiseHides)
+{
+  const std::vector<Vector3> points = noisy(sphereCloud(20000, sphere_radius), 0.01F, 5);
+  const WorkingCloud cloud = workingCloud(points);
+  EXPECT_GT(cloud.smoothing_radius, 0.02F); // of more than the noise
+  EXPECT_LT(cloud.smoothing_radius, 0.2F);  // and of less than the sphere
+  EXPECT_LT(cloud.points.size(), points.size() / 2);
+  EXPECT_GT(cloud.points.size(), 500U);
+  EXPECT_LT(3.0F * meanErrorOnSphere(cloud.points), meanErrorOnSphere(points));
+  EXPECT_LT(cloud.outliers, points.size() / 200);
+  expectConsistent(cloud, points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (cloud.representatives[v] != no_index) {
+      ASSERT_LT(distance(points[v], cloud.points[cloud.representatives[v]]), cloud.smoothing_radius);
+    }
+  }
+}
+
+TEST(WorkingCloud, OfANoisyCloudLeavesOutStrayPoints)
+{
+  std::vector<Vector3> points = noisy(sphereCloud(20000, sphere_radius), 0.01F, 6);
+  std::mt19937 random(7);
+  const std::size_t clean = points.size();
+  while (points.size() < clean + 40) {
+    const Vector3 stray{evenly(random, -0.5F, 0.5F), evenly(random, -0.5F, 0.5F), evenly(random, -0.5F, 0.5F)};
+    if (std::abs(norm(stray) - sphere_radius) > 0.1F) {
+      points.push_back(stray);
+    }
+  }
+  const WorkingCloud cloud = workingCloud(points);
+  expectConsistent(cloud, points.size());
+  for (std::size_t v = clean; v < points.size(); ++v) {
+    EXPECT_EQ(cloud.representatives[v], no_index) << v;
+  }
+}
+
+TEST(WorkingCloud, IsNoLargerThanAskedFor)
+{
+  const std::vector<Vector3> points = sphereCloud(12000, sphere_radius);
+  constexpr std::size_t most = 1000;
+  const WorkingCloud cloud = workingCloud(points, most);
+  EXPECT_LE(cloud.points.size(), most);
+  EXPECT_GT(cloud.points.size(), most / 3);
+  EXPECT_EQ(cloud.outliers, 0U);
+  EXPECT_EQ(cloud.smoothing_radius, 0.0F);
+  expectConsistent(cloud, points.size());
+  for (std::size_t w = 0; w < cloud.points.size(); ++w) {
+    ASSERT_EQ(cloud.points[w], points[cloud.original[w]]);
+  }
+  // The nearest one by brute force, and none is far: 1000 points on this sphere are 0.045 apart.
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    float least = std::numeric_limits<float>::infinity();
+    for (const Vector3& w : cloud.points) {
+      least = std::min(least, distance(points[v], w));
+    }
+    ASSERT_FLOAT_EQ(distance(points[v], cloud.points[cloud.representatives[v]]), least);
+    ASSERT_LT(least, 0.09F);
+  }
+}
+
+TEST(WorkingCloud, OfANoisyCloudIsNoLargerThanAskedFor)
+{
+  const std::vector<Vector3> points = noisy(sphereCloud(20000, sphere_radius), 0.01F, 8);
+  const WorkingCloud cloud = workingCloud(points, 600);
+  EXPECT_LE(cloud.points.size(), 600U);
+  EXPECT_GT(cloud.points.size(), 150U);
+  EXPECT_LT(3.0F * meanErrorOnSphere(cloud.points), meanErrorOnSphere(points));
+  expectConsistent(cloud, points.size());
+}
+
+TEST(WorkingCloud, UnevenDensityIsNoOutlier)
+{
+  const std::vector<Vector3> clean = unevenSphere(5000);
+  const WorkingCloud cloud = workingCloud(clean);
+  EXPECT_EQ(cloud.smoothing_radius, 0.0F);
+  EXPECT_LE(cloud.outliers, 3U);
+  EXPECT_EQ(cloud.points.size(), clean.size() - cloud.outliers);
+}
+
+TEST(WorkingCloud, UnevenDensityIsNoOutlierWithNoiseEither)
+{
+  const std::vector<Vector3> points = noisy(unevenSphere(18000), 0.008F, 9);
+  const WorkingCloud cloud = workingCloud(points);
+  ASSERT_GT(cloud.smoothing_radius, 0.0F);
+  std::size_t sparse = 0;
+  std::size_t dropped = 0;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    sparse += points[v][0] < 0.0F ? 1U : 0U;
+    dropped += points[v][0] < 0.0F && cloud.representatives[v] == no_index ? 1U : 0U;
+  }
+  EXPECT_LT(dropped, sparse / 50) << "of " << sparse;
+}
+
+TEST(WorkingCloud, IsTheSameForAnyNumberOfThreads)
+{
+  const std::vector<Vector3> points = noisy(sphereCloud(12000, sphere_radius), 0.01F, 10);
+  const WorkingCloud one = workingCloud(points, 1500, 1);
+  const WorkingCloud three = workingCloud(points, 1500, 3);
+  ASSERT_GT(one.smoothing_radius, 0.0F);
+  EXPECT_EQ(one.points, three.points);
+  EXPECT_EQ(one.original, three.original);
+  EXPECT_EQ(one.representatives, three.representatives);
+  EXPECT_EQ(one.outliers, three.outliers);
+  EXPECT_EQ(one.smoothing_radius, three.smoothing_radius);
+}
+
+TEST(WorkingCloud, OfNextToNothing)
+{
+  EXPECT_TRUE(workingCloud({}).points.empty());
+  EXPECT_EQ(workingCloud({{0.1F, 0.2F, 0.3F}}).points.size(), 1U);
+  const std::vector<Vector3> same(20, Vector3{0.1F, 0.2F, 0.3F});
+  const WorkingCloud cloud = workingCloud(same);
+  EXPECT_EQ(cloud.outliers, 0U);
+  expectConsistent(cloud, same.size());
+}
+
+} // namespace
