@@ -1,0 +1,293 @@
+#include "cloud/cloud_surface.h"
+#include "cloud/clouds.h"
+#include "geodesic/shortest_paths.h"
+
+#include <gtest/gtest.h>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+constexpr float pi = 3.14159265F;
+
+CloudSurface
+surfaceOf(const std::vector<Vector3>& points, const ContactTest& contact = {}, unsigned threads = 1)
+{
+  return buildCloudSurface(points, nearestNeighbours(points, 10), {}, 0.0F, contact, threads);
+}
+
+SurfaceGraph
+plainGraph(const std::vector<Vector3>& points)
+{
+  return buildNeighbourGraph(points, nearestNeighbours(points, 10), 0.0F);
+}
+
+/** Edges between the points before a number and the others. */
+std::size_t
+edgesAcross(const SurfaceGraph& graph, std::size_t first_of_other)
+{
+  std::size_t across = 0;
+  for (std::size_t v = 0; v < first_of_other; ++v) {
+    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
+      across += static_cast<std::size_t>(graph.neighbours[e]) >= first_of_other ? 1U : 0U;
+    }
+  }
+  return across;
+}
+
+Index
+nearestTo(const std::vector<Vector3>& points, const Vector3& place)
+{
+  const auto nearest = std::min_element(points.begin(), points.end(), [&](const Vector3& a, const Vector3& b) {
+    return distance(a, place) < distance(b, place);
+  });
+  return static_cast<Index>(nearest - points.begin());
+}
+
+/** Square of side 1 at a height, irregularly sampled n by n times. */
+std::vector<Vector3>
+sheet(int n, float height, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const float spacing = 1.0F / static_cast<float>(n);
+  std::vector<Vector3> points;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      points.push_back({spacing * (static_cast<float>(i) + evenly(random, 0.3F, 0.7F)),
+                        spacing * (static_cast<float>(j) + evenly(random, 0.3F, 0.7F)), height});
+    }
+  }
+  return points;
+}
+
+/** Surface of the cube of side 1 around the origin, irregularly sampled. */
+std::vector<Vector3>
+cubeCloud(int n, unsigned seed)
+{
+  std::vector<Vector3> points;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const float side : {-0.5F, 0.5F}) {
+      for (const Vector3& p : sheet(n, side, seed++)) {
+        Vector3 q;
+        q[axis] = side;
+        q[(axis + 1) % 3] = p[0] - 0.5F;
+        q[(axis + 2) % 3] = p[1] - 0.5F;
+        points.push_back(q);
+      }
+    }
+  }
+  return points;
+}
+
+/** A tube of radius 0.1 bent to a ring of radius 0.35 until the round ends almost touch: opposite sides of a body in
+ * contact. */
+struct BentTube {
+  std::vector<float> along; ///< place along the tube
+  std::vector<Vector3> points;
+  std::vector<Vector3> normals; ///< the true ones
+  float length = 0.0F;
+};
+
+BentTube
+bentTube(float spacing, float gap)
+{
+  constexpr float ring = 0.35F;
+  constexpr float radius = 0.1F;
+  BentTube tube;
+  tube.length = ring * 2.0F * (pi - std::asin((2.0F * radius + gap) / (2.0F * ring)));
+  const float quarter = 0.5F * pi * radius; // from the tip to where the tube begins
+  const auto rows = static_cast<int>((tube.length + 2.0F * quarter) / spacing);
+  for (int row = 0; row <= rows; ++row) {
+    const float s = (tube.length + 2.0F * quarter) * static_cast<float>(row) / static_cast<float>(rows) - quarter;
+    const float middle = std::min(std::max(s, 0.0F), tube.length);
+    const float latitude = (s - middle) / radius;
+    const float side = std::cos(latitude);
+    const auto columns = std::max(1, static_cast<int>(2.0F * pi * radius * side / spacing));
+    for (int column = 0; column < columns; ++column) {
+      const float angle =
+          2.0F * pi * (static_cast<float>(column) + (row % 2 == 0 ? 0.0F : 0.5F)) / static_cast<float>(columns);
+      const float turn = middle / ring;
+      const Vector3 outward{std::cos(turn), std::sin(turn), 0.0F};
+      const Vector3 tangent{-std::sin(turn), std::cos(turn), 0.0F};
+      tube.along.push_back(s);
+      tube.normals.push_back((side * std::cos(angle)) * outward + std::sin(latitude) * tangent +
+                             Vector3{0.0F, 0.0F, side * std::sin(angle)});
+      tube.points.push_back(ring * outward + radius * tube.normals.back());
+    }
+  }
+  return tube;
+}
+
+std::size_t
+edgesBetweenEnds(const BentTube& tube, const SurfaceGraph& graph)
+{
+  std::size_t edges = 0;
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
+      edges += tube.along[graph.neighbours[e]] - tube.along[v] > 0.5F * tube.length ? 1U : 0U;
+    }
+  }
+  return edges;
+}
+
+void
+expectOpenRing(const BentTube& tube, const std::vector<Vector3>& normals)
+{
+  const SurfaceGraph plain = plainGraph(tube.points);
+  ASSERT_GT(edgesBetweenEnds(tube, plain), 5U);
+  const NeighbourLists lists = nearestNeighbours(tube.points, 10);
+  const CloudSurface surface = buildCloudSurface(tube.points, lists, normals, 0.0F, {}, 1);
+  EXPECT_EQ(edgesBetweenEnds(tube, surface.graph), 0U);
+  EXPECT_EQ(surface.bridges, 0U);
+  const auto last = static_cast<Index>(tube.points.size() - 1);
+  EXPECT_LT(distanceField(plain, 0)[last], 0.2F * tube.length);
+  EXPECT_GT(distanceField(surface.graph, 0)[last], 0.8F * tube.length); // along the inner side
+  for (std::size_t v = 0; v < tube.points.size(); ++v) {
+    ASSERT_GT(dot(surface.normals[v], tube.normals[v]), 0.7F);
+  }
+}
+
+TEST(CloudSurface, EndsInContactAreNotJoined)
+{
+  constexpr float spacing = 0.02F;
+  for (const float gap : {0.8F, 1.1F}) {
+    SCOPED_TRACE(gap);
+    expectOpenRing(bentTube(spacing, gap * spacing), {});
+  }
+}
+
+TEST(CloudSurface, EndsInCloserContactAreNotJoinedWhereNormalsAreGiven)
+{
+  constexpr float spacing = 0.02F;
+  for (const float gap : {0.1F, 0.2F, 0.5F, 0.8F, 1.1F}) {
+    SCOPED_TRACE(gap);
+    const BentTube tube = bentTube(spacing, gap * spacing);
+    expectOpenRing(tube, tube.normals);
+  }
+}
+
+TEST(CloudSurface, SheetsFacingEachOtherAreJoinedByOneBridge)
+{
+  constexpr int n = 30;
+  for (const float gap : {0.3F, 0.8F, 1.4F}) {
+    std::vector<Vector3> points = sheet(n, 0.0F, 1);
+    const std::size_t first_of_other = points.size();
+    const std::vector<Vector3> upper = sheet(n, gap / n, 2);
+    points.insert(points.end(), upper.begin(), upper.end());
+    std::vector<Vector3> normals(points.size(), Vector3{0.0F, 0.0F, 1.0F});
+    std::fill(normals.begin() + n * n, normals.end(), Vector3{0.0F, 0.0F, -1.0F});
+    ASSERT_GT(edgesAcross(plainGraph(points), first_of_other), points.size());
+    const CloudSurface surface = buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {}, 1);
+    EXPECT_EQ(connectedComponents(surface.graph).sizes.size(), 1U);
+    EXPECT_EQ(edgesAcross(surface.graph, first_of_other), 1U);
+    EXPECT_EQ(surface.bridges, 1U);
+    EXPECT_EQ(surface.distrusted_edges, edgesAcross(plainGraph(points), first_of_other) - 1);
+    for (const Triangle& t : surface.triangles) {
+      const auto above =
+          std::count_if(t.begin(), t.end(), [&](Index v) { return static_cast<std::size_t>(v) >= first_of_other; });
+      ASSERT_EQ(above % 3, 0); // none across
+    }
+  }
+}
+
+TEST(CloudSurface, TouchingSpheresAreJoinedAtTheContact)
+{
+  constexpr float radius = 0.25F;
+  constexpr float gap = 0.004F; // a quarter of the spacing
+  std::vector<Vector3> points = sphereCloud(2000, radius, {-radius, 0.0F, 0.0F});
+  const std::size_t first_of_other = points.size();
+  std::vector<Vector3> normals;
+  for (std::size_t v = 0; v < first_of_other; ++v) {
+    normals.push_back(normalized(points[v] - Vector3{-radius, 0.0F, 0.0F}));
+  }
+  for (std::size_t v = 0; v < first_of_other; ++v) { // the mirror image
+    points.push_back({gap - points[v][0], points[v][1], points[v][2]});
+    normals.push_back({-normals[v][0], normals[v][1], normals[v][2]});
+  }
+  ASSERT_GT(edgesAcross(plainGraph(points), first_of_other), 50U);
+  const CloudSurface surface = buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {}, 1);
+  EXPECT_EQ(connectedComponents(surface.graph).sizes.size(), 1U);
+  EXPECT_EQ(surface.bridges, 1U);
+  EXPECT_EQ(edgesAcross(surface.graph, first_of_other), 1U);
+
+  // From a place aside of the contact to its mirror image: down to the contact and up again.
+  constexpr float angle = 1.0F;
+  const Index from = nearestTo(points, {-radius + radius * std::cos(angle), radius * std::sin(angle), 0.0F});
+  const Index to = from + static_cast<Index>(first_of_other);
+  const float length = distanceField(surface.graph, from)[to];
+  EXPECT_GT(length, 0.9F * 2.0F * radius * angle);
+  EXPECT_LT(length, 1.3F * 2.0F * radius * angle);
+}
+
+TEST(CloudSurface, SharpEdgesStayConnected)
+{
+  const std::vector<Vector3> points = cubeCloud(24, 4);
+  const CloudSurface surface = surfaceOf(points);
+  EXPECT_EQ(connectedComponents(surface.graph).sizes.size(), 1U);
+  EXPECT_EQ(surface.bridges, 0U);
+  // From the top over the edge at x = 0.5 to the side, in the middle part, where no other way is shorter.
+  std::size_t pairs = 0;
+  float worst = 0.0F;
+  for (const float height : {0.45F, 0.3F, 0.02F}) {
+    const Index from = nearestTo(points, {0.5F, 0.0F, height});
+    const std::vector<float> field = distanceField(surface.graph, from);
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      const Vector3& p = points[v];
+      if (p[2] == 0.5F && p[0] > 0.0F && std::abs(p[1]) < 0.25F) {
+        const float unfolded = (0.5F - p[0]) + (0.5F - points[from][2]);
+        const float exact = std::hypot(unfolded, p[1] - points[from][1]);
+        ASSERT_GT(field[v], exact > 0.25F ? 0.85F * exact : 0.7F * exact); // a chord cuts the corner
+        worst = std::max(worst, exact > 0.1F ? field[v] / exact : 0.0F);
+        ++pairs;
+      }
+    }
+  }
+  EXPECT_GT(pairs, 300U);
+  EXPECT_LT(worst, 1.3F);
+}
+
+TEST(CloudSurface, LargerDetourTrustsMoreEdges)
+{
+  const std::vector<Vector3> points = cubeCloud(20, 5);
+  const CloudSurface strict = surfaceOf(points, {0.9F, 1.0F});
+  const CloudSurface tolerant = surfaceOf(points, {0.9F, 4.0F});
+  EXPECT_GT(strict.distrusted_edges, tolerant.distrusted_edges);
+  EXPECT_LT(strict.graph.neighbours.size(), tolerant.graph.neighbours.size());
+}
+
+TEST(CloudSurface, NormalsOfASpherePointOutwards)
+{
+  const std::vector<Vector3> points = sphereCloud(1500, 0.4F);
+  const CloudSurface surface = surfaceOf(points);
+  ASSERT_EQ(surface.normals.size(), points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    ASSERT_GT(dot(surface.normals[v], normalized(points[v])), 0.99F);
+    ASSERT_NEAR(norm(surface.normals[v]), 1.0F, 1e-4F);
+  }
+  EXPECT_EQ(surface.distrusted_edges, 0U);
+  EXPECT_EQ(surface.graph.neighbours, plainGraph(points).neighbours);
+}
+
+TEST(CloudSurface, IsTheSameForAnyNumberOfThreads)
+{
+  const std::vector<Vector3> points = cubeCloud(24, 6);
+  const CloudSurface one = surfaceOf(points, {}, 1);
+  const CloudSurface three = surfaceOf(points, {}, 3);
+  EXPECT_EQ(one.graph.neighbours, three.graph.neighbours);
+  EXPECT_EQ(one.graph.lengths, three.graph.lengths);
+  EXPECT_EQ(one.normals, three.normals);
+  EXPECT_EQ(one.triangles, three.triangles);
+}
+
+TEST(CloudSurface, RadiusKeepsDistantPartsApart)
+{
+  std::vector<Vector3> points = sheet(20, 0.0F, 7);
+  points.push_back({1.5F, 0.5F, 0.0F});
+  const NeighbourLists lists = nearestNeighbours(points, 10);
+  EXPECT_EQ(connectedComponents(buildCloudSurface(points, lists, {}, 0.0F, {}, 1).graph).sizes.size(), 1U);
+  EXPECT_EQ(connectedComponents(buildCloudSurface(points, lists, {}, 0.2F, {}, 1).graph).sizes,
+            (std::vector<Index>{400, 1}));
+}
+
+} // namespace
