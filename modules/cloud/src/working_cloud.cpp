@@ -130,17 +130,11 @@ smoothingRadius(const std::vector<Vector3>& points, float spacing)
   constexpr float largest = 0.06F; // of the longest side
   constexpr float step = 1.25F;
   constexpr float flat = 0.09F;
-  constexpr float hardly_thick = 0.14F;
   float best = 0.0F;
   float flattest = std::numeric_limits<float>::infinity();
-  float at_spacing = 0.0F;
   for (float radius = first * spacing; radius > 0.0F && radius < largest; radius *= step) {
     const float thickness = relativeThickness(points, radius);
-    if (best == 0.0F) {
-      at_spacing = thickness;
-    }
-    const bool is_second = best > 0.0F && radius < 1.1F * step * first * spacing;
-    if (at_spacing < flat || (is_second && at_spacing < hardly_thick && thickness > at_spacing)) {
+    if (best == 0.0F && thickness < flat) {
       return 0.0F;
     }
     if (thickness < flattest) {
