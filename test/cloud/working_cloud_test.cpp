@@ -84,7 +84,8 @@ TEST(WorkingCloud, HasNoOutliers)
   const std::vector<Vector3> sphere = sphereCloud(3000, sphere_radius);
   std::vector<Vector3> points = sphere;
   // Not at the end, so that all numbers behind them change.
-  const std::vector<Vector3> far{{0.5F, 0.5F, 0.5F}, {-0.5F, 0.5F, -0.4F}, {0.0F, 0.0F, 0.0F}, {0.45F, -0.5F, 0.3F}};
+  const std::vector<Vector3> far{
+      {0.5F, 0.5F, 0.5F}, {-0.5F, 0.5F, -0.4F}, {0.0F, 0.0F, 0.0F}, {0.02F, 0.0F, 0.0F}}; // two of them a pair
   points.insert(points.begin() + 1000, far.begin(), far.end());
   const WorkingCloud cloud = workingCloud(points);
   EXPECT_EQ(cloud.points, sphere);
@@ -129,6 +130,26 @@ TEST(WorkingCloud, OfANoisyCloudLeavesOutStrayPoints)
   const WorkingCloud cloud = workingCloud(points);
   expectConsistent(cloud, points.size());
   for (std::size_t v = clean; v < points.size(); ++v) {
+    EXPECT_EQ(cloud.representatives[v], no_index) << v;
+  }
+}
+
+TEST(WorkingCloud, OfANoisyCloudLeavesOutLooseClusters)
+{
+  // Each point has most of its neighbours within the cluster, as near as these have theirs; what gives them away is
+  // that there are so few.
+  std::mt19937 random(11);
+  std::vector<Vector3> points;
+  for (int i = 0; i < 9; ++i) {
+    points.push_back({evenly(random, -0.08F, 0.08F), evenly(random, -0.08F, 0.08F), evenly(random, -0.08F, 0.08F)});
+  }
+  const std::size_t cluster = points.size();
+  const std::vector<Vector3> sphere = noisy(sphereCloud(20000, sphere_radius), 0.01F, 12);
+  points.insert(points.end(), sphere.begin(), sphere.end());
+  const WorkingCloud cloud = workingCloud(points);
+  ASSERT_GT(cloud.smoothing_radius, 0.0F);
+  expectConsistent(cloud, points.size());
+  for (std::size_t v = 0; v < cluster; ++v) {
     EXPECT_EQ(cloud.representatives[v], no_index) << v;
   }
 }
