@@ -116,7 +116,7 @@ reduceCloud(PreparedSurface& surface, const SymmetryParameters& parameters, cons
   constexpr std::size_t most = 60000;
   NeighbourLists lists = search(surface.points, parameters.k_search);
   WorkingCloud working = makeWorkingCloud(surface.points, lists, most, parameters.threads);
-  if (working.points.size() == surface.size()) {
+  if (working.points.size() == surface.size() && working.smoothing_radius == 0.0F) {
     return lists;
   }
   surface.summary.outliers += working.outliers;
