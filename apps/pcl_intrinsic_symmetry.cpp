@@ -103,7 +103,7 @@ describeOptions(Options& options, Words& words)
             "longest edge between neighbours, in the unit of the points");
   add_cloud("normals", word(words.normals, "NAME"), "estimate, or given: those of the file");
   add_cloud("outliers", po::value(&parameters.outlier_deviations)->value_name("D"),
-            "drop points whose neighbours are farther than the mean by D standard deviations");
+            "drop points whose neighbours are farther than the mean by D standard deviations, too");
 
   po::options_description general("General");
   general.add_options()("quiet,q", "no progress, no summary")("help,h", "print this text")("version",

@@ -47,7 +47,7 @@ struct SymmetryParameters {
   float radius = 0.0F;
   NormalSource normals = NormalSource::Estimate;
   /** Points of a cloud whose mean neighbour distance exceeds the cloud's mean by more than this number of standard
-   * deviations are left out; 0: none are. */
+   * deviations are left out; 0: only points several times farther from their neighbours than these are from theirs. */
   float outlier_deviations = 0.0F;
 
   /** Sources of full distance fields, [10, 1000]. */
