@@ -40,6 +40,10 @@ buildGraph(std::size_t n, const std::vector<GraphEdge>& edges);
 SurfaceGraph
 buildMeshGraph(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles);
 
+/** \brief Entry of the edge from one vertex to a neighbour of it. Cost O(log degree). */
+std::size_t
+edgeNumber(const SurfaceGraph& graph, Index from, Index to);
+
 /** \brief Length of the edge between two vertices; infinity where there is none. Cost O(log degree). */
 float
 edgeLength(const SurfaceGraph& graph, Index a, Index b);

@@ -118,14 +118,6 @@ halfCotangent(float ux, float uy, float vx, float vy)
   return 0.5F * (sine * bound <= std::abs(cosine) ? std::copysign(bound, cosine) : cosine / sine);
 }
 
-std::size_t
-edgeNumber(const SurfaceGraph& graph, Index from, Index to)
-{
-  const auto begin = graph.neighbours.begin() + graph.offsets[from];
-  const auto end = graph.neighbours.begin() + graph.offsets[from + 1];
-  return static_cast<std::size_t>(std::lower_bound(begin, end, to) - graph.neighbours.begin());
-}
-
 /** Triangles that occur at least twice, once each. Sorted, so that the result does not depend on threads. */
 std::vector<Triangle>
 keepAgreed(std::vector<Triangle> proposed)

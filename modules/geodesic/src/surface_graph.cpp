@@ -84,6 +84,14 @@ buildMeshGraph(const std::vector<Vector3>& points, const std::vector<Triangle>& 
   return buildGraph(points.size(), edges);
 }
 
+std::size_t
+edgeNumber(const SurfaceGraph& graph, Index from, Index to)
+{
+  const auto begin = graph.neighbours.begin() + graph.offsets[from];
+  const auto end = graph.neighbours.begin() + graph.offsets[from + 1];
+  return static_cast<std::size_t>(std::lower_bound(begin, end, to) - graph.neighbours.begin());
+}
+
 float
 edgeLength(const SurfaceGraph& graph, Index a, Index b)
 {

@@ -59,15 +59,6 @@ cotangent(const Vector3& a, const Vector3& b)
   return sine * bound <= std::abs(cosine) ? std::copysign(bound, cosine) : cosine / sine;
 }
 
-/** Number of the edge from i to j. */
-std::size_t
-edgeNumber(const SurfaceGraph& graph, Index i, Index j)
-{
-  const auto begin = graph.neighbours.begin() + graph.offsets[i];
-  const auto end = graph.neighbours.begin() + graph.offsets[i + 1];
-  return static_cast<std::size_t>(std::lower_bound(begin, end, j) - graph.neighbours.begin());
-}
-
 /** Finite volumes: for a function that is linear between two samples, the cotangent flow over all edges that cross the
  * border of their cells is exact however ragged the border. */
 std::vector<float>
