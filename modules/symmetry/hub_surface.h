@@ -36,5 +36,10 @@ struct HubSurface {
 HubSurface
 makeHubSurface(const CoarseSurface& surface, std::size_t hubs, Metric metric, unsigned threads);
 
+/** \brief Hubs whose AGD is largest within a distance of \a separation (share of the diameter), at most so many, the
+ * farthest out first. */
+std::vector<Index>
+extremitiesOf(const HubSurface& hubs, float separation, std::size_t most);
+
 } // namespace symmetry
 } // namespace pcl

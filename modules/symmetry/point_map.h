@@ -37,12 +37,23 @@ partnersOfSamples(const CoarseSurface& coarse,
                   const Eigen::MatrixXf& matrix,
                   unsigned threads);
 
-/** \brief Partner of every point: where the local linear fit to the partners of the samples around it puts it, the
- * nearest point of the surface. Smooth wherever the partners of the samples are. */
+/** \brief Partners of the samples drawn towards a map that is its own inverse and smooth.
+ *
+ * In each round every sample goes to where its own match and those around it, read both ways, put its partner.
+ * \param[in] sample_partners partner point of every sample */
+std::vector<Index>
+mutualPartners(const PreparedSurface& surface,
+               const CoarseSurface& coarse,
+               const CellMembers& members,
+               std::vector<Index> sample_partners,
+               int rounds,
+               unsigned threads);
+
+/** \brief Partner of every point: where the matches of the samples around it put it, the nearest point of the surface.
+ * Smooth wherever the partners of the samples are. */
 std::vector<Index>
 partnersOfPoints(const PreparedSurface& surface,
                  const CoarseSurface& coarse,
-                 const SampleInterpolation& interpolation,
                  const CellMembers& members,
                  const std::vector<Index>& sample_partners,
                  unsigned threads);

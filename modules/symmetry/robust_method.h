@@ -5,6 +5,7 @@
 
 #include "symmetry/map_estimate.h"
 #include "symmetry/prepared_surface.h"
+#include "symmetry/sample_refinement.h"
 #include "symmetry/step_timer.h"
 #include "symmetry/symmetry_search.h"
 
@@ -19,9 +20,9 @@ struct RobustSettings {
   std::size_t hubs = 600;
   int eigenfunctions = 60;
   SearchSettings search;
-  std::vector<int> final_levels{40, 50, 60}; ///< eigenfunctions used by the refinement on all samples
-  int final_guide_dimensions = 14;           ///< spectral coordinates in the orientation part of its guide
-  float final_guidance = 1.5F;               ///< weight of the local parts of the descriptor in it
+  RefinementSettings refinement;
+  std::size_t contenders = 4;    ///< best candidates that are refined and compared, as long as their scores
+  float contender_margin = 0.7F; ///< are not worse than the best one's by more than this
 };
 
 /** \brief Finds the symmetric map of any connected surface.

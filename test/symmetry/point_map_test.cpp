@@ -30,13 +30,12 @@ TEST(PartnersOfPoints, FollowTheTruePartnersOfTheSamples)
   for (const Index v : body.coarse.cells.vertices) {
     of_samples.push_back(body.model.partners[v]);
   }
-  const SampleInterpolation interpolation = interpolateFromSamples(body.surface, body.coarse, 1);
   const CellMembers members = membersOfCells(body.coarse);
-  const std::vector<Index> one = partnersOfPoints(body.surface, body.coarse, interpolation, members, of_samples, 1);
+  const std::vector<Index> one = partnersOfPoints(body.surface, body.coarse, members, of_samples, 1);
   const std::vector<double> errors = mapErrors(body.model, one);
   EXPECT_EQ(correspondenceRate(errors), 1.0);
   EXPECT_LT(mean(errors), 0.01); // a third of the spacing of the samples
-  EXPECT_EQ(one, partnersOfPoints(body.surface, body.coarse, interpolation, members, of_samples, 5));
+  EXPECT_EQ(one, partnersOfPoints(body.surface, body.coarse, members, of_samples, 5));
 }
 
 TEST(PartnersOfSamples, LieWithinASpacingOfTheTruth)

@@ -25,12 +25,11 @@ nearestHubs(const DistanceFields& fields)
   return nearest;
 }
 
-/** Hubs whose AGD is largest within a fifteenth of the diameter, at most ten, farthest out first. */
+} // namespace
+
 std::vector<Index>
-findExtremities(const HubSurface& hubs)
+extremitiesOf(const HubSurface& hubs, float separation, std::size_t most)
 {
-  constexpr float separation = 1.0F / 15.0F;
-  constexpr std::size_t most = 10;
   std::vector<Index> order(hubs.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
@@ -48,8 +47,6 @@ findExtremities(const HubSurface& hubs)
   }
   return extremities;
 }
-
-} // namespace
 
 HubSurface
 makeHubSurface(const CoarseSurface& surface, std::size_t hubs, Metric metric, unsigned threads)
@@ -80,7 +77,9 @@ makeHubSurface(const CoarseSurface& surface, std::size_t hubs, Metric metric, un
   result.triangles = dualTriangles(surface.triangles, result.nearest_hub);
   const Eigen::VectorXf mean = result.distances.rowwise().mean();
   result.centrality.assign(mean.data(), mean.data() + n);
-  result.extremities = findExtremities(result);
+  constexpr float separation = 1.0F / 15.0F;
+  constexpr std::size_t most = 10;
+  result.extremities = extremitiesOf(result, separation, most);
   return result;
 }
 

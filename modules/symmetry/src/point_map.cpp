@@ -2,6 +2,7 @@
 
 #include "geodesic/parallel.h"
 #include "geodesic/vector_math.h"
+#include "symmetry/place_matches.h"
 
 #include <algorithm>
 #include <limits>
@@ -135,23 +136,42 @@ partnersOfSamples(const CoarseSurface& coarse,
 }
 
 std::vector<Index>
+mutualPartners(const PreparedSurface& surface,
+               const CoarseSurface& coarse,
+               const CellMembers& members,
+               std::vector<Index> sample_partners,
+               int rounds,
+               unsigned threads)
+{
+  for (int round = 0; round < rounds; ++round) {
+    const PlaceMatches matches(surface, coarse, sample_partners);
+    parallelFor(
+        coarse.size(), threads,
+        [&](std::size_t i) {
+          const Index home = coarse.cells.owner[sample_partners[i]];
+          sample_partners[i] = nearestPoint(surface.points, members, cellAndNeighbours(coarse.graph, home),
+                                            matches.imageOf(coarse.cells.vertices[i]));
+        },
+        64);
+  }
+  return sample_partners;
+}
+
+std::vector<Index>
 partnersOfPoints(const PreparedSurface& surface,
                  const CoarseSurface& coarse,
-                 const SampleInterpolation& interpolation,
                  const CellMembers& members,
                  const std::vector<Index>& sample_partners,
                  unsigned threads)
 {
+  const PlaceMatches matches(surface, coarse, sample_partners);
   std::vector<Index> partners(surface.size());
   parallelFor(
       surface.size(), threads,
       [&](std::size_t v) {
-        Vector3 position{0.0F, 0.0F, 0.0F};
-        for (std::uint32_t e = interpolation.offsets[v]; e < interpolation.offsets[v + 1]; ++e) {
-          position = position + interpolation.weights[e] * surface.points[sample_partners[interpolation.samples[e]]];
-        }
         const Index home = coarse.cells.owner[sample_partners[coarse.cells.owner[v]]];
-        partners[v] = nearestPoint(surface.points, members, cellAndNeighbours(coarse.graph, home), position);
+        partners[v] = nearestPoint(surface.points, members, cellAndNeighbours(coarse.graph, home),
+                                   matches.imageOf(static_cast<Index>(v)));
       },
       256);
   return partners;

@@ -32,36 +32,6 @@ struct PointTransfer {
   CellMembers members;
 };
 
-/** A map of all samples with what is derived from it. */
-struct SampleEstimate {
-  SampleMap map;
-  Eigen::MatrixXf matrix;
-  std::vector<Index> partners; ///< point that is the partner of each sample
-};
-
-/** Extends the map of the hubs to all samples and refines it among them. */
-SampleEstimate
-refineOnAllSamples(const SurfaceModel& model,
-                   const PointTransfer& transfer,
-                   const SymmetryCandidate& candidate,
-                   const RobustSettings& settings,
-                   unsigned threads)
-{
-  const auto count = static_cast<Eigen::Index>(model.coarse.size());
-  const Eigen::MatrixXf functions = model.basis.functions.leftCols(candidate.matrix.cols());
-  SampleEstimate estimate;
-  estimate.map = nearestRows(functions * candidate.matrix, functions, threads);
-  DescriptorWeights weights = settings.search.descriptor;
-  weights.oriented_dimensions = settings.final_guide_dimensions;
-  const ShapeDescriptor guide = describeShape(model.coarse, model.basis, settings.final_guide_dimensions, weights);
-  const UpwardRefinement refinement(model.basis.functions, guide, count, settings.final_levels,
-                                    settings.final_guidance);
-  estimate.matrix = refinement.refine(estimate.map, threads);
-  estimate.partners = partnersOfSamples(model.coarse, model.basis, transfer.interpolation, transfer.members,
-                                        estimate.map, estimate.matrix, threads);
-  return estimate;
-}
-
 /** Votes of the ordered pairs at every sample, carried over to the points and made antisymmetric under the map. */
 std::vector<float>
 pointSides(const SurfaceModel& model,
@@ -139,22 +109,47 @@ void
 appendAlternatives(const PreparedSurface& surface,
                    const SurfaceModel& model,
                    const PointTransfer& transfer,
+                   const SampleRefinement& refinement,
                    const std::vector<SymmetryCandidate>& candidates,
                    const SymmetryParameters& parameters,
-                   const RobustSettings& settings,
                    MapEstimate& estimate)
 {
   const std::size_t count = std::min(candidates.size(), static_cast<std::size_t>(parameters.alternatives));
   for (std::size_t i = 0; count > 1 && i < count; ++i) {
-    const SampleEstimate samples = refineOnAllSamples(model, transfer, candidates[i], settings, parameters.threads);
+    const SampleEstimate samples = refinement.refine(candidates[i]);
     AlternativeMap alternative;
-    alternative.partners = partnersOfPoints(surface, model.coarse, transfer.interpolation, transfer.members,
-                                            samples.partners, parameters.threads);
+    alternative.partners =
+        partnersOfPoints(surface, model.coarse, transfer.members, samples.partners, parameters.threads);
     alternative.score = candidates[i].score.value;
     alternative.confidence = reflectionConfidence(candidates[i].score);
     alternative.reverses_orientation = candidates[i].score.reversal >= 0.5F;
     estimate.alternatives.push_back(std::move(alternative));
   }
+}
+
+/** A candidate and what became of it. */
+struct Contender {
+  const SymmetryCandidate* candidate = nullptr;
+  SampleEstimate samples;
+};
+
+/** Of the candidates with the best scores, refined, the one that fits best. */
+Contender
+bestContender(const SampleRefinement& refinement,
+              const std::vector<SymmetryCandidate>& candidates,
+              const RobustSettings& settings)
+{
+  Contender best;
+  for (std::size_t i = 0; i < std::min(settings.contenders, candidates.size()); ++i) {
+    if (i > 0 && candidates[i].score.value > candidates[0].score.value + settings.contender_margin) {
+      break;
+    }
+    SampleEstimate estimate = refinement.refine(candidates[i]);
+    if (i == 0 || estimate.value < best.samples.value) {
+      best = {&candidates[i], std::move(estimate)};
+    }
+  }
+  return best;
 }
 
 SurfaceModel
@@ -206,10 +201,19 @@ estimateRobust(const PreparedSurface& surface,
   if (candidates.empty()) {
     return estimate;
   }
-  const SymmetryCandidate& best = candidates[0];
-  const float asymmetry_of_best = asymmetry(findAsymmetry(model.hubs, best.map), best.score.curvature);
-  estimate.confidence = reflectionConfidence(best.score) * symmetryConfidence(asymmetry_of_best);
-  if (!isReflection(best.score)) {
+  timer.start("matching", 0.7);
+  const PointTransfer transfer{interpolateFromSamples(surface, model.coarse, parameters.threads),
+                               membersOfCells(model.coarse)};
+  const SampleRefinement refinement(surface, model.coarse, model.basis, model.hubs, transfer.interpolation,
+                                    transfer.members, settings.refinement, parameters.threads);
+  const Contender contender = bestContender(refinement, candidates, settings);
+  const SampleEstimate& best = contender.samples;
+  // Refinement can only hide signs of asymmetry, as it can only improve the score of what is symmetric.
+  const float asymmetry_of_best =
+      asymmetry(findAsymmetry(model.hubs, contender.candidate->map), contender.candidate->score.curvature);
+  const MapScore& score = best.score.value < contender.candidate->score.value ? best.score : contender.candidate->score;
+  estimate.confidence = reflectionConfidence(score) * symmetryConfidence(asymmetry_of_best);
+  if (!isReflection(score)) {
     return estimate;
   }
   if (isAsymmetric(asymmetry_of_best)) {
@@ -219,22 +223,17 @@ estimateRobust(const PreparedSurface& surface,
   estimate.status = SymmetryStatus::Symmetric;
   estimate.message.clear();
 
-  timer.start("matching", 0.7);
-  PointTransfer transfer{interpolateFromSamples(surface, model.coarse, parameters.threads),
-                         membersOfCells(model.coarse)};
-  const SampleEstimate samples = refineOnAllSamples(model, transfer, best, settings, parameters.threads);
   timer.start("dense", 0.8);
   if (!parameters.sparse_only) {
-    estimate.partners = partnersOfPoints(surface, model.coarse, transfer.interpolation, transfer.members,
-                                         samples.partners, parameters.threads);
-    appendAlternatives(surface, model, transfer, candidates, parameters, settings, estimate);
+    estimate.partners = partnersOfPoints(surface, model.coarse, transfer.members, best.partners, parameters.threads);
+    appendAlternatives(surface, model, transfer, refinement, candidates, parameters, estimate);
   }
-  const OrderedPairs pairs = orderPairs(model.hubs, best.map);
+  const OrderedPairs pairs = orderPairs(model.hubs, best.hub_map);
   estimate.side_function = pointSides(model, pairs, transfer.interpolation, estimate.partners, parameters.threads);
-  estimate.matches = sparseMatches(model, samples.map, samples.partners, estimate.side_function);
+  estimate.matches = sparseMatches(model, best.map, best.partners, estimate.side_function);
   estimate.confidences =
-      pointConfidences(model.hubs, model.coarse, samples.map, transfer.interpolation, estimate.confidence);
-  describeLimbs(model, best.map, pairs, estimate);
+      pointConfidences(model.hubs, model.coarse, best.map, transfer.interpolation, estimate.confidence);
+  describeLimbs(model, best.hub_map, pairs, estimate);
   return estimate;
 }
 

@@ -1,0 +1,79 @@
+/** \file
+ * \brief From a rough map of the hubs to an exact one of all samples.
+ */
+#pragma once
+
+#include "symmetry/hub_surface.h"
+#include "symmetry/laplacian_basis.h"
+#include "symmetry/patch_alignment.h"
+#include "symmetry/point_map.h"
+#include "symmetry/sample_interpolation.h"
+#include "symmetry/symmetry_search.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Settings of the refinement; lengths are shares of the diameter. */
+struct RefinementSettings {
+  std::vector<int> levels{40, 50, 60}; ///< eigenfunctions used on all samples
+  int guide_dimensions = 14;           ///< spectral coordinates in the orientation part of its guide
+  float guidance = 1.5F;               ///< weight of the local parts of the descriptor in it
+  std::vector<PatchSize> patches{{0.14F, 150}, {0.1F, 300}, {0.06F, 600}}; ///< aligned in this order
+  int patch_rounds = 3;
+  std::vector<float> end_radii{0.12F, 0.18F}; ///< ends of the body that are turned; empty: none
+  float end_separation = 0.12F;               ///< of the tips of these ends
+  int mutual_rounds = 4;                      ///< in which partners are drawn towards a map that is its own inverse
+  ScoreWeights score;
+  std::size_t score_queries = 300; ///< hubs that take part in the measure of isometry
+  float fit = 1.0F;                ///< weight of the fit of the patches in the value of an estimate
+};
+
+/** \brief A map of all samples. */
+struct SampleEstimate {
+  SampleMap map;               ///< sample in whose cell the partner of each sample lies
+  std::vector<Index> partners; ///< point that is the partner of each sample
+  std::vector<PatchFit> fits;  ///< how well the smallest patches fit their images
+  SampleMap hub_map;           ///< the same map among the hubs
+  MapScore score;              ///< of that
+  float value = 0.0F;          ///< of the score and the fits together, the lower the better
+};
+
+/** \brief Refines candidates; what it needs to do so is prepared once. */
+class SampleRefinement {
+public:
+  /** All that is given is referred to, not copied. */
+  SampleRefinement(const PreparedSurface& surface,
+                   const CoarseSurface& coarse,
+                   const LaplacianBasis& basis,
+                   const HubSurface& hubs,
+                   const SampleInterpolation& interpolation,
+                   const CellMembers& members,
+                   const RefinementSettings& settings,
+                   unsigned threads);
+
+  /** \brief Extends the map of the hubs to all samples, refines it in the eigenfunctions, then by the shape of the
+   * surface. */
+  SampleEstimate
+  refine(const SymmetryCandidate& candidate) const;
+
+private:
+  std::vector<Index>
+  spectralPartners(const SymmetryCandidate& candidate) const;
+
+  const PreparedSurface& surface_;
+  const CoarseSurface& coarse_;
+  const LaplacianBasis& basis_;
+  const HubSurface& hubs_;
+  const SampleInterpolation& interpolation_;
+  const CellMembers& members_;
+  const RefinementSettings& settings_;
+  unsigned threads_;
+  ShapeDescriptor guide_;
+  UpwardRefinement upward_;
+  std::vector<PatchAlignment> alignments_; ///< one per size of patches
+};
+
+} // namespace symmetry
+} // namespace pcl

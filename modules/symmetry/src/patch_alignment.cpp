@@ -1,0 +1,153 @@
+#include "symmetry/patch_alignment.h"
+
+#include "geodesic/parallel.h"
+#include "geodesic/vector_math.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace symmetry {
+
+PatchAlignment::PatchAlignment(const PreparedSurface& surface,
+                               const CoarseSurface& coarse,
+                               const CellMembers& members,
+                               float diameter,
+                               const PatchSize& size,
+                               unsigned threads)
+    : surface_(surface),
+      coarse_(coarse),
+      members_(members),
+      diameter_(diameter),
+      spacing_(sampleSpacing(coarse)),
+      patches_(std::min(size.patches, coarse.size()))
+{
+  parallelFor(
+      patches_.size(), threads,
+      [&](std::size_t k) { patches_[k] = patchAround(coarse, static_cast<Index>(k), size.radius * diameter); }, 8);
+}
+
+std::vector<Index>
+PatchAlignment::align(std::vector<Index> partners, int rounds, unsigned threads) const
+{
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<WantedPlace> wanted = wantedPlaces(partners, threads);
+    parallelFor(
+        coarse_.size(), threads,
+        [&](std::size_t i) {
+          if (wanted[i].weight > 0.0F) {
+            partners[i] = nearestFacing(partners[i], wanted[i]);
+          }
+        },
+        32);
+    partners = mutualPartners(surface_, coarse_, members_, std::move(partners), 1, threads);
+  }
+  return partners;
+}
+
+std::vector<PatchFit>
+PatchAlignment::fits(const std::vector<Index>& partners, unsigned threads) const
+{
+  std::vector<PatchFit> fits(patches_.size());
+  parallelFor(
+      fits.size(), threads,
+      [&](std::size_t k) {
+        const std::vector<OrientedMatch> matches = matchesOf(patches_[k], partners);
+        const RigidReflection reflection = fitReflection(matches, 2.0F * spacing_);
+        float turn = 0.0F;
+        float total = 0.0F;
+        for (const OrientedMatch& match : matches) {
+          turn += match.weight * (1.0F - dot(reflection.turned(match.from_normal), match.to_normal));
+          total += match.weight;
+        }
+        fits[k] = {std::sqrt(reflection.error) / diameter_, turn / total};
+      },
+      8);
+  return fits;
+}
+
+std::vector<OrientedMatch>
+PatchAlignment::matchesOf(const SurfacePatch& patch, const std::vector<Index>& partners) const
+{
+  constexpr std::size_t most = 60; // determines a rigid motion well enough
+  std::vector<OrientedMatch> matches;
+  matches.reserve(most);
+  for (std::size_t k = 0; k < std::min(most, patch.size()); ++k) {
+    const Index sample = patch[k].sample;
+    matches.push_back({coarse_.points[sample], coarse_.normals[sample], surface_.points[partners[sample]],
+                       surface_.normals[partners[sample]], patch[k].weight});
+  }
+  return matches;
+}
+
+std::vector<PatchAlignment::WantedPlace>
+PatchAlignment::wantedPlaces(const std::vector<Index>& partners, unsigned threads) const
+{
+  std::vector<RigidReflection> reflections(patches_.size());
+  parallelFor(
+      patches_.size(), threads,
+      [&](std::size_t k) { reflections[k] = fitReflection(matchesOf(patches_[k], partners), 2.0F * spacing_); }, 8);
+  const float best_error = 0.06F * spacing_ * spacing_; // no fit is trusted beyond the precision of the samples
+  std::vector<WantedPlace> wanted(coarse_.size());
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    const float trust = 1.0F / (reflections[k].error + best_error);
+    for (const PatchMember& member : patches_[k]) {
+      WantedPlace& sum = wanted[member.sample];
+      const float weight = trust * member.weight;
+      sum.place = sum.place + weight * reflections[k](coarse_.points[member.sample]);
+      sum.normal = sum.normal + weight * reflections[k].turned(coarse_.normals[member.sample]);
+      sum.weight += weight;
+    }
+  }
+  for (WantedPlace& place : wanted) {
+    if (place.weight > 0.0F) {
+      place.place = (1.0F / place.weight) * place.place;
+      place.normal = normalized(place.normal);
+    }
+  }
+  return wanted;
+}
+
+/** The cell of a point and those within two steps of it, ascending. */
+std::vector<Index>
+PatchAlignment::cellsAround(Index point) const
+{
+  std::vector<Index> cells{coarse_.cells.owner[point]};
+  std::size_t begin = 0;
+  for (int step = 0; step < 2; ++step) {
+    const std::size_t end = cells.size();
+    for (; begin < end; ++begin) {
+      const Index cell = cells[begin];
+      cells.insert(cells.end(), coarse_.graph.neighbours.begin() + coarse_.graph.offsets[cell],
+                   coarse_.graph.neighbours.begin() + coarse_.graph.offsets[cell + 1]);
+    }
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+/** The point around the present partner that is nearest to the wanted place and faces as it should. */
+Index
+PatchAlignment::nearestFacing(Index partner, const WantedPlace& wanted) const
+{
+  const float turn_cost = 8.0F * spacing_ * spacing_;
+  Index best = partner;
+  float least = std::numeric_limits<float>::infinity();
+  for (const Index cell : cellsAround(partner)) {
+    for (std::uint32_t e = members_.offsets[cell]; e < members_.offsets[cell + 1]; ++e) {
+      const Index v = members_.points[e];
+      const Vector3 off = surface_.points[v] - wanted.place;
+      const float cost = dot(off, off) + turn_cost * (1.0F - dot(wanted.normal, surface_.normals[v]));
+      if (cost < least) {
+        least = cost;
+        best = v;
+      }
+    }
+  }
+  return best;
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,113 @@
+#include "symmetry/sample_refinement.h"
+
+#include "symmetry/part_turns.h"
+
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+ShapeDescriptor
+describeGuide(const CoarseSurface& coarse, const LaplacianBasis& basis, int dimensions)
+{
+  DescriptorWeights weights;
+  weights.oriented_dimensions = dimensions;
+  return describeShape(coarse, basis, dimensions, weights);
+}
+
+/** The image of every hub among the hubs. */
+SampleMap
+mapOfHubs(const HubSurface& hubs, const SampleMap& map)
+{
+  SampleMap among_hubs;
+  for (std::size_t i = 0; i < hubs.size(); ++i) {
+    among_hubs.push_back(hubs.nearest_hub[map[i]]);
+  }
+  return among_hubs;
+}
+
+/** Logarithm of the misfit of the patches; a difference of 0.7 is a fit twice as good. */
+float
+logMisfit(const std::vector<PatchFit>& fits)
+{
+  constexpr float least_distance = 2e-3F; // sampling noise
+  constexpr float least_turn = 0.01F;
+  float distance = 0.0F;
+  float turn = 0.0F;
+  for (const PatchFit& fit : fits) {
+    distance += fit.distance / static_cast<float>(fits.size());
+    turn += fit.turn / static_cast<float>(fits.size());
+  }
+  return 0.5F * (std::log(distance + least_distance) + std::log(turn + least_turn));
+}
+
+} // namespace
+
+SampleRefinement::SampleRefinement(const PreparedSurface& surface,
+                                   const CoarseSurface& coarse,
+                                   const LaplacianBasis& basis,
+                                   const HubSurface& hubs,
+                                   const SampleInterpolation& interpolation,
+                                   const CellMembers& members,
+                                   const RefinementSettings& settings,
+                                   unsigned threads)
+    : surface_(surface),
+      coarse_(coarse),
+      basis_(basis),
+      hubs_(hubs),
+      interpolation_(interpolation),
+      members_(members),
+      settings_(settings),
+      threads_(threads),
+      guide_(describeGuide(coarse, basis, settings.guide_dimensions)),
+      upward_(basis.functions, guide_, static_cast<Eigen::Index>(coarse.size()), settings.levels, settings.guidance)
+{
+  for (const PatchSize& size : settings.patches) {
+    alignments_.emplace_back(surface, coarse, members, hubs.diameter, size, threads);
+  }
+}
+
+std::vector<Index>
+SampleRefinement::spectralPartners(const SymmetryCandidate& candidate) const
+{
+  const Eigen::MatrixXf functions = basis_.functions.leftCols(candidate.matrix.cols());
+  SampleMap map = nearestRows(functions * candidate.matrix, functions, threads_);
+  const Eigen::MatrixXf matrix = upward_.refine(map, threads_);
+  return partnersOfSamples(coarse_, basis_, interpolation_, members_, map, matrix, threads_);
+}
+
+SampleEstimate
+SampleRefinement::refine(const SymmetryCandidate& candidate) const
+{
+  SampleEstimate estimate;
+  std::vector<Index>& partners = estimate.partners;
+  partners = spectralPartners(candidate);
+  bool ends_are_turned = false;
+  for (const PatchAlignment& alignment : alignments_) {
+    partners = alignment.align(std::move(partners), settings_.patch_rounds, threads_);
+    // Turning needs images that are roughly in place; the smaller patches then smooth what it has torn.
+    for (std::size_t k = 0; !ends_are_turned && k < settings_.end_radii.size(); ++k) {
+      constexpr std::size_t most = 16;
+      turnParts(surface_, coarse_, extremitiesOf(hubs_, settings_.end_separation, most),
+                settings_.end_radii[k] * hubs_.diameter, partners, threads_);
+    }
+    ends_are_turned = true;
+  }
+  partners = mutualPartners(surface_, coarse_, members_, std::move(partners), settings_.mutual_rounds, threads_);
+  for (const Index partner : partners) {
+    estimate.map.push_back(coarse_.cells.owner[partner]);
+  }
+  estimate.hub_map = mapOfHubs(hubs_, estimate.map);
+  estimate.score = scoreMap(hubs_, guide_, estimate.hub_map, settings_.score_queries, settings_.score);
+  estimate.value = estimate.score.value;
+  if (!alignments_.empty()) {
+    estimate.fits = alignments_.back().fits(partners, threads_);
+    estimate.value += settings_.fit * logMisfit(estimate.fits);
+  }
+  return estimate;
+}
+
+} // namespace symmetry
+} // namespace pcl
