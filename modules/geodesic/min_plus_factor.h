@@ -22,8 +22,8 @@ namespace symmetry {
  * boundary (the vertices above it that its subtree touches) and hands the distances within its boundary up. A field is
  * then two sweeps: up from the source to the root, and down over all nodes. Distances are those of Dijkstra's algorithm
  * but for rounding, since the sums are formed in another order: the same for every number of threads and every
- * instruction set. On surfaces of 10^4 to 10^5 vertices a field costs 15 to 25 times less than a search, the factor as
- * much as 20 to 30 searches and about 50 floats a vertex.
+ * instruction set. On surfaces of 10^4 to 10^5 vertices a field costs about 8 times less than a search, all that comes
+ * before it as much as 20 to 30 searches, and the factor takes about 130 floats a vertex.
  */
 class MinPlusFactor {
 public:

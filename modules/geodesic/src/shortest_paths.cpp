@@ -38,6 +38,7 @@ predecessor(const SurfaceGraph& graph, const float* field, Index v)
 struct EngineCosts {
   static constexpr double search_per_edge = 6.0; // of a bucket queue, per direction of an edge
   static constexpr double analysis_per_vertex = 400.0;
+  static constexpr double minima_per_vertex = 20.0; // of a surface's factor, times the root of the number of vertices
   static constexpr double factor_per_minimum = 0.08;
   static constexpr double field_per_minimum = 0.06;
   static constexpr double field_per_vertex = 1.0;
@@ -91,7 +92,10 @@ DistanceFieldSolver::isFactorized(unsigned threads)
   const auto count = static_cast<double>(sources_);
   const auto vertices = static_cast<double>(graph_.size());
   const double search = EngineCosts::search_per_edge * static_cast<double>(graph_.neighbours.size());
-  if (factorized_ || sources_ < fewest_sources || search * count < EngineCosts::analysis_per_vertex * vertices) {
+  const double elimination =
+      vertices * (EngineCosts::analysis_per_vertex +
+                  EngineCosts::factor_per_minimum * EngineCosts::minima_per_vertex * std::sqrt(vertices));
+  if (factorized_ || sources_ < fewest_sources || search * count < elimination) {
     return factorized_;
   }
   if (factor_ == nullptr) {
