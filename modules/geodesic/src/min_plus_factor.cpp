@@ -37,19 +37,19 @@ MinPlusFactor::MinPlusFactor(const SurfaceGraph& graph, double most_field_cost, 
 void
 MinPlusFactor::sortEdges()
 {
-  edge_begin_.reserve(graph_.size() + 1);
-  edges_.reserve(graph_.neighbours.size() / 2);
+  edge_begin_.resize(graph_.size() + 1);
+  edges_.resize(graph_.neighbours.size() / 2 + 1); // one to spare: the next entry is written before it counts
+  std::uint32_t count = 0;
   for (std::size_t p = 0; p < graph_.size(); ++p) {
-    edge_begin_.push_back(static_cast<std::uint32_t>(edges_.size()));
+    edge_begin_[p] = count;
     const Index v = dissection_.order[p];
     for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
       const std::uint32_t other = position_[graph_.neighbours[e]];
-      if (other > p) {
-        edges_.push_back({other, graph_.lengths[e]});
-      }
+      edges_[count] = {other, graph_.lengths[e]};
+      count += other > p ? 1U : 0U;
     }
   }
-  edge_begin_.push_back(static_cast<std::uint32_t>(edges_.size()));
+  edge_begin_[graph_.size()] = count;
 }
 
 /** Finds boundary by boundary, from the leaves up. */

@@ -233,20 +233,21 @@ private:
     for (const Index v : border) {
       layer_[v] = separator;
     }
-    // Both halves keep their order.
-    scratch.moved.clear();
+    // Both halves keep their order. Without a branch, which would be a guess: every vertex is written to both, and
+    // counts in one.
+    scratch.moved.resize(end - begin + 1);
     std::size_t kept = begin;
+    std::size_t moved = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const Index v = order_[i];
-      if (layer_[v] >= first_above) {
-        scratch.moved.push_back(v);
-      }
-      else if (layer_[v] != separator) {
-        order_[kept++] = v;
-      }
+      const std::uint8_t layer = layer_[v];
+      order_[kept] = v;
+      scratch.moved[moved] = v;
+      kept += layer < first_above && layer != separator ? 1U : 0U;
+      moved += layer >= first_above ? 1U : 0U;
     }
-    const Parts parts{kept, kept + scratch.moved.size()};
-    std::copy(scratch.moved.begin(), scratch.moved.end(), order_.begin() + static_cast<std::ptrdiff_t>(parts.second));
+    const Parts parts{kept, kept + moved};
+    std::copy_n(scratch.moved.begin(), moved, order_.begin() + static_cast<std::ptrdiff_t>(parts.second));
     std::copy(border.begin(), border.end(), order_.begin() + static_cast<std::ptrdiff_t>(parts.separator));
     return parts;
   }
