@@ -19,6 +19,27 @@ constexpr std::size_t landmark_count = 6;
 /** Numbers of edges to each landmark. */
 using HopCounts = std::array<float, landmark_count>;
 
+/** Calls use (w) for every neighbour w of a vertex, for some of them several times: always often enough for a vertex of
+ * a mesh, so that the end of the loop is no guess. */
+template <typename Use>
+inline void
+forNeighbours(const SurfaceGraph& graph, Index v, Use use)
+{
+  constexpr std::uint32_t at_least = 8;
+  const std::uint32_t begin = graph.offsets[v];
+  const std::uint32_t end = graph.offsets[v + 1];
+  if (begin == end) {
+    return;
+  }
+#pragma GCC unroll 8
+  for (std::uint32_t i = 0; i < at_least; ++i) {
+    use(graph.neighbours[std::min(begin + i, end - 1)]);
+  }
+  for (std::uint32_t e = begin + at_least; e < end; ++e) {
+    use(graph.neighbours[e]);
+  }
+}
+
 /** Breadth-first search: number of edges from a vertex to every other one, -1 where none leads there.
  * \param[out] found the vertices in the order found
  * \return how many there are */
@@ -37,14 +58,13 @@ countHops(const SurfaceGraph& graph, Index from, std::vector<std::int32_t>& hops
     if (i + ahead < count) {
       __builtin_prefetch(graph.neighbours.data() + graph.offsets[found[i + ahead]]);
     }
-    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
+    forNeighbours(graph, v, [&](Index w) {
       // Without a branch, which would be a guess every time.
-      const Index w = graph.neighbours[e];
       const std::int32_t known = hops[w];
       found[count] = w;
       count += known < 0 ? 1U : 0U;
       hops[w] = known < 0 ? next : known;
-    }
+    });
   }
   return count;
 }
@@ -335,9 +355,7 @@ private:
     for (std::size_t i = begin; i < end; ++i) {
       const Index v = order_[i];
       std::uint8_t highest = layer_[v];
-      for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
-        highest = std::max(highest, layer_[graph_.neighbours[e]]);
-      }
+      forNeighbours(graph_, v, [&](Index w) { highest = std::max(highest, layer_[w]); });
       highest_[i] = highest;
       ++counts[layer_[v]];
       ++change[layer_[v]];
