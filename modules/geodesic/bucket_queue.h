@@ -34,69 +34,89 @@ public:
   void
   relax(const std::vector<Index>& sources, float* distances, OnImproved on_improved)
   {
-    constexpr std::size_t ahead = 4; // vertices whose edges are fetched in advance
     std::size_t pending = 0;
     std::size_t current = 0;
     for (const Index source : sources) {
-      current = pending == 0 ? bucketOf(distances[source]) : std::min(current, bucketOf(distances[source]));
-      push(source, bucketOf(distances[source]));
+      const std::size_t bucket = bucketOf(distances[source]);
+      current = pending == 0 ? bucket : std::min(current, bucket);
+      push({source, distances[source]}, bucket);
       ++pending;
     }
-    while (pending > 0) {
-      std::vector<Index>& bucket = ring_[current & mask_];
+    for (; pending > 0; ++current) {
+      std::vector<Entry>& bucket = ring_[current & mask_];
       for (std::size_t i = 0; i < bucket.size(); ++i) { // grows while it is worked off
-        if (i + ahead < bucket.size()) {
-          const std::uint32_t e = graph_.offsets[bucket[i + ahead]];
-          __builtin_prefetch(graph_.neighbours.data() + e);
-          __builtin_prefetch(graph_.lengths.data() + e);
+        prefetchEdges(bucket, i);
+        const Entry entry = bucket[i];
+        if (entry.distance > distances[entry.vertex]) {
+          continue; // a shorter way has been found since
         }
-        const Index v = bucket[i];
-        const float d = distances[v];
-        if (d >= expanded_[v]) {
-          continue;
-        }
-        expanded_[v] = d;
-        touched_.push_back(v);
-        for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
-          const Index w = graph_.neighbours[e];
-          const float candidate = d + graph_.lengths[e];
-          if (candidate < distances[w]) {
-            distances[w] = candidate;
-            on_improved(w, v);
-            push(w, std::max(bucketOf(candidate), current));
-            ++pending;
+        for (std::uint32_t e = graph_.offsets[entry.vertex]; e < graph_.offsets[entry.vertex + 1]; e += at_a_time) {
+          Entry improved[at_a_time];
+          const std::size_t count = findImproved(entry, e, distances, improved);
+          for (std::size_t k = 0; k < count; ++k) {
+            distances[improved[k].vertex] = improved[k].distance;
+            on_improved(improved[k].vertex, entry.vertex);
+            push(improved[k], std::max(bucketOf(improved[k].distance), current));
           }
+          pending += count;
         }
       }
       pending -= bucket.size();
       bucket.clear();
-      ++current;
     }
-    reset();
   }
 
 private:
+  struct Entry {
+    Index vertex;
+    float distance; ///< of a way to it
+  };
+
+  static constexpr std::uint32_t at_a_time = 32; // edges of a vertex
+
+  /** Some of the edges of a vertex from edge e on: those that are shorter ways to where they lead. Without a branch,
+   * which would be a guess for every edge. \return how many there are */
+  std::size_t
+  findImproved(const Entry& from, std::uint32_t e, const float* distances, Entry* improved) const
+  {
+    const std::uint32_t end = std::min(graph_.offsets[from.vertex + 1], e + at_a_time);
+    std::size_t count = 0;
+    for (; e < end; ++e) {
+      const Entry candidate{graph_.neighbours[e], from.distance + graph_.lengths[e]};
+      improved[count] = candidate;
+      count += candidate.distance < distances[candidate.vertex] ? 1U : 0U;
+    }
+    return count;
+  }
+
+  void
+  prefetchEdges(const std::vector<Entry>& bucket, std::size_t i) const
+  {
+    constexpr std::size_t ahead = 4;
+    if (i + ahead < bucket.size()) {
+      const std::uint32_t e = graph_.offsets[bucket[i + ahead].vertex];
+      __builtin_prefetch(graph_.neighbours.data() + e);
+      __builtin_prefetch(graph_.lengths.data() + e);
+    }
+  }
+
   std::size_t
   bucketOf(float distance) const
   {
-    return static_cast<std::size_t>(distance * inverse_width_);
+    // By way of a signed number, for which there is an instruction.
+    return static_cast<std::size_t>(static_cast<std::int64_t>(distance * inverse_width_));
   }
 
   void
-  push(Index v, std::size_t bucket)
+  push(const Entry& entry, std::size_t bucket)
   {
-    ring_[bucket & mask_].push_back(v);
+    ring_[bucket & mask_].push_back(entry);
   }
-
-  void
-  reset();
 
   const SurfaceGraph& graph_;
   float inverse_width_ = 1.0F;
   std::size_t mask_ = 0;
-  std::vector<std::vector<Index>> ring_;
-  std::vector<float> expanded_; ///< distance at which a vertex was last expanded
-  std::vector<Index> touched_;
+  std::vector<std::vector<Entry>> ring_;
 };
 
 } // namespace symmetry

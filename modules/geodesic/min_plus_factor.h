@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "geodesic/large_memory.h"
 #include "geodesic/nested_dissection.h"
 #include "geodesic/surface_graph.h"
 
@@ -21,8 +22,8 @@ namespace symmetry {
  * boundary (the vertices above it that its subtree touches) and hands the distances within its boundary up. A field is
  * then two sweeps: up from the source to the root, and down over all nodes. Distances are those of Dijkstra's algorithm
  * but for rounding, since the sums are formed in another order: the same for every number of threads and every
- * instruction set. On surfaces of 10^4 to 10^5 vertices a field costs 15 to 25 times less than a search, the factor as
- * much as 20 to 30 searches and about 50 floats a vertex.
+ * instruction set. On surfaces of 10^4 to 10^5 vertices a field costs about 8 times less than a search, all that comes
+ * before it as much as 20 to 30 searches, and the factor takes about 130 floats a vertex.
  */
 class MinPlusFactor {
 public:
@@ -62,16 +63,27 @@ public:
 private:
   /** Matrices are row-major; their strides are rounded up to whole blocks of kernel_lanes, filled up with infinity. */
   struct Front {
-    std::vector<std::uint32_t> boundary; ///< positions, rising
+    std::size_t boundary = 0; ///< where its part of boundaries_ begins
+    std::size_t boundary_count = 0;
     std::size_t own_stride = 0;
     std::size_t boundary_stride = 0;
     std::size_t to_boundary = 0; ///< where its part of to_boundary_ begins
-    std::vector<float> closure;  ///< own x own: distances among the node's vertices within its subtree
-    std::vector<float> update;   ///< boundary x boundary, upper triangle; until the parent has taken it over
+    std::size_t closure = 0;     ///< where its part of closure_ begins
+    FloatBlock update;           ///< boundary x boundary, upper triangle; until the parent has taken it over
   };
 
+  /** An edge from a lower position. */
+  struct Edge {
+    std::uint32_t position;
+    float length;
+  };
+
+  class BoundaryFinder;
   struct FrontScratch;
   class FieldBatch;
+
+  void
+  sortEdges();
 
   bool
   findBoundaries(double most_field_cost);
@@ -95,15 +107,40 @@ private:
     return dissection_.nodes[node].end - dissection_.nodes[node].begin;
   }
 
+  /** Positions of the vertices in the boundary of a node, rising. */
+  const std::uint32_t*
+  boundary(std::size_t node) const
+  {
+    return boundaries_.data() + fronts_[node].boundary;
+  }
+
+  float*
+  closure(std::size_t node) const
+  {
+    return closure_.data() + fronts_[node].closure;
+  }
+
+  float*
+  toBoundary(std::size_t node) const
+  {
+    return to_boundary_.data() + fronts_[node].to_boundary;
+  }
+
   const SurfaceGraph& graph_;
   Dissection dissection_;
-  std::vector<std::uint32_t> position_; ///< of every vertex
-  std::vector<std::uint32_t> node_at_;  ///< node that owns each position
+  std::vector<std::uint32_t> position_;   ///< of every vertex
+  std::vector<std::uint32_t> node_at_;    ///< node that owns each position
+  std::vector<std::uint32_t> edge_begin_; ///< of every position: where its part of edges_ begins
+  std::vector<Edge> edges_;
   std::vector<Front> fronts_;
+  std::vector<std::uint32_t> boundaries_;
+  std::size_t closure_size_ = 0;
   std::size_t to_boundary_size_ = 0;
+  /** Of every node, own x own: distances among its vertices within its subtree. */
+  FloatBlock closure_;
   /** Of every node, boundary x own: distances from its boundary to its vertices within its subtree. One block, in the
-   * order in which a field runs through it; not initialised, for it is large and all of it is written. */
-  std::unique_ptr<float[]> to_boundary_;
+   * order in which a field runs through it. */
+  FloatBlock to_boundary_;
   Cost cost_;
   bool feasible_ = false;
 };

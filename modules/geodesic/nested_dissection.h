@@ -29,11 +29,12 @@ struct Dissection {
   std::vector<Index> order; ///< vertex at each position
 };
 
-/** \brief Halves the graph until no piece has more than \a largest_leaf vertices.
+/** \brief Cuts the graph in two until no piece has more than \a largest_leaf vertices.
  *
- * A piece is halved at the median of a coordinate: the principal direction of the numbers of edges to a few vertices
- * far from each other, so that no positions are needed and a folded surface is taken apart as if it were straight. The
- * separator is the border of the half whose border is shorter. Small separators are what surfaces have; any graph may
+ * A piece is cut across the principal direction of the numbers of edges to a few vertices far from each other, so that
+ * no positions are needed and a folded surface is taken apart as if it were straight: where the border is short and
+ * each part has at least a third of the vertices. The separator is the smallest set of vertices that touches all edges
+ * across the cut. Small separators are what surfaces have; any graph may
  * be given. Cost O(n log n). The result does not depend on
  * \a threads (0: all cores).
  */

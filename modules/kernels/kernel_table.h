@@ -75,22 +75,27 @@ struct KernelTable {
   /** \brief Writes entry j of rows[i] to entry i of columns[j], for all i and j below kernel_lanes. */
   void (*transpose_tile)(const float* const* rows, float* const* columns);
 
-  /** \brief Sum over all i of ((query_i - candidate_i) weight_i)^2.
+  /** \brief For each candidate the sum over all i of ((query_i - candidate_i) weight_i)^2.
    *
    * Added up in kernel_lanes interleaved sums, these by halves. Rounding is monotone: where every difference is
-   * smaller, so is the sum. \param[in] padded number of features, a multiple of kernel_lanes \param[in] limit a sum
-   * that exceeds it may be returned before it is complete */
-  float (*weighted_distance)(
-      const float* query, const float* candidate, const float* weights, std::size_t padded, float limit);
+   * smaller, so is the sum. \param[in] candidates count x padded \param[in] padded number of features, a multiple of
+   * kernel_lanes \param[out] distances count values */
+  void (*weighted_distances)(const float* query,
+                             const float* candidates,
+                             std::size_t count,
+                             const float* weights,
+                             std::size_t padded,
+                             float* distances);
 
-  /** \brief The same to the nearest point of the box [lower, upper]: a lower bound of the distance to whatever is in
+  /** \brief The same to the nearest point of each box [lower, upper]: a lower bound of the distance to whatever is in
    * it, even after rounding. */
-  float (*weighted_box_distance)(const float* query,
+  void (*weighted_box_distances)(const float* query,
                                  const float* lower,
                                  const float* upper,
+                                 std::size_t count,
                                  const float* weights,
                                  std::size_t padded,
-                                 float limit);
+                                 float* distances);
 };
 
 } // namespace symmetry

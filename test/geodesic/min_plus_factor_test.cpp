@@ -1,3 +1,4 @@
+#include "geodesic/large_memory.h"
 #include "geodesic/min_plus_factor.h"
 #include "geodesic/nested_dissection.h"
 #include "geodesic/shortest_paths.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 
@@ -106,6 +108,58 @@ TEST(Dissection, OfASurfaceHasSmallSeparators)
   EXPECT_GE(root.end - root.begin, 50U);
 }
 
+TEST(Dissection, CutsWhereTheSurfaceIsNarrow)
+{
+  // Two squares of different size, joined by a strip of four vertices: the middle lies in the larger one.
+  std::vector<GraphEdge> edges;
+  const auto add_grid = [&edges](Index first, Index width, Index height) {
+    for (Index y = 0; y < height; ++y) {
+      for (Index x = 0; x < width; ++x) {
+        const Index v = first + y * width + x;
+        if (x + 1 < width) {
+          edges.push_back({v, v + 1, 1.0F});
+        }
+        if (y + 1 < height) {
+          edges.push_back({v, v + width, 1.0F});
+        }
+      }
+    }
+  };
+  add_grid(0, 40, 40);
+  add_grid(1600, 34, 34);
+  for (Index y = 0; y < 4; ++y) {
+    edges.push_back({y * 40, 1600 + y * 34, 1.0F});
+  }
+  const Dissection dissection = dissect(buildGraph(1600 + 34 * 34, edges), 32, 1);
+  const Dissection::Node& root = dissection.nodes.back();
+  EXPECT_LE(root.end - root.begin, 4U);
+}
+
+TEST(Dissection, IsTheSameForAnyNumberOfThreads)
+{
+  const SurfaceGraph graph = meshGraph(sphereMesh(5));
+  const std::vector<Index> order = dissect(graph, 32, 1).order;
+  for (const unsigned threads : {2U, 3U, 8U}) {
+    EXPECT_EQ(dissect(graph, 32, threads).order, order);
+  }
+}
+
+TEST(FloatBlock, BeginsWithACacheLineAndGrows)
+{
+  FloatBlock block;
+  for (const std::size_t count : {0U, 1U, 100U, 2000000U, 50U}) {
+    float* floats = block.reserve(count);
+    ASSERT_NE(floats, nullptr);
+    EXPECT_EQ(floats, block.data());
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(floats) % 64, 0U);
+    std::fill_n(floats, count, 1.0F);
+  }
+  const FloatBlock taken = std::move(block);
+  block = FloatBlock();
+  std::fill_n(block.reserve(1000), 1000, 2.0F);
+  EXPECT_EQ(taken.data()[49], 1.0F);
+}
+
 TEST(MinPlusFactor, GivesTheDistancesOfDijkstra)
 {
   expectFieldsOfDijkstra(meshGraph(sphereMesh(4)), 29);
@@ -147,8 +201,8 @@ TEST(MinPlusFactor, GivesThemOnComponentsOfDifferentSize)
 
 TEST(MinPlusFactor, IsTheSameForAnyNumberOfThreads)
 {
-  const SurfaceGraph graph = meshGraph(sphereMesh(5)); // large enough to be taken apart by several threads
-  const std::vector<Index> sources = everyVertex(graph, 61);
+  const SurfaceGraph graph = meshGraph(sphereMesh(5));       // large enough to be taken apart by several threads
+  const std::vector<Index> sources = everyVertex(graph, 61); // more than are swept together
   const DistanceFields fields = eliminatedFields(graph, sources, 1);
   for (const unsigned threads : {0U, 2U, 3U, 7U}) {
     EXPECT_EQ(eliminatedFields(graph, sources, threads).values, fields.values);
@@ -170,7 +224,7 @@ TEST(MinPlusFactor, GivesUpWhereSeparatorsAreLarge)
 {
   // A random graph has none: every half of it touches nearly all of the other.
   const SurfaceGraph graph = randomGraph(4000, 8, evenLength);
-  EXPECT_FALSE(MinPlusFactor(graph, 80.0 * static_cast<double>(graph.neighbours.size()), 1).feasible());
+  EXPECT_FALSE(MinPlusFactor(graph, 40.0 * static_cast<double>(graph.neighbours.size()), 1).feasible());
 }
 
 TEST(DistanceFieldSolver, GivesTheSameDistancesInPortions)

@@ -1,8 +1,6 @@
 #include "geodesic/bucket_queue.h"
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 
 namespace pcl {
 namespace symmetry {
@@ -22,22 +20,27 @@ powerOfTwoAbove(std::size_t value)
 
 } // namespace
 
-BucketQueue::BucketQueue(const SurfaceGraph& graph)
-    : graph_(graph), expanded_(graph.size(), std::numeric_limits<float>::infinity())
+BucketQueue::BucketQueue(const SurfaceGraph& graph) : graph_(graph)
 {
-  // Several sums side by side: one alone would wait for each addition to end before it begins the next.
-  constexpr std::size_t sums = 8;
-  double partial[sums] = {};
-  float longest_of[sums] = {};
-  for (std::size_t e = 0; e < graph.lengths.size(); ++e) {
-    partial[e % sums] += graph.lengths[e];
-    longest_of[e % sums] = std::max(longest_of[e % sums], graph.lengths[e]);
+  // Several maxima side by side: one alone would wait for each comparison to end before it begins the next.
+  constexpr std::size_t lanes = 16;
+  float longest_of[lanes] = {};
+  const std::size_t count = graph.lengths.size();
+  for (std::size_t e = 0; e < count; e += lanes) {
+    const float* some = graph.lengths.data() + std::min(e, count - std::min(count, lanes)); // the last overlap
+    for (std::size_t i = 0; i < std::min(count, lanes); ++i) {
+      longest_of[i] = std::max(longest_of[i], some[i]);
+    }
   }
-  const double sum = std::accumulate(partial, partial + sums, 0.0);
-  const float longest = *std::max_element(longest_of, longest_of + sums);
-  // Half the mean edge length: narrow enough that few vertices are expanded twice, wide enough that few buckets are
-  // empty.
-  double width = graph.lengths.empty() ? 1.0 : 0.5 * sum / static_cast<double>(graph.lengths.size());
+  const float longest = *std::max_element(longest_of, longest_of + lanes);
+  // Half the mean edge length, as a few thousand edges tell it: narrow enough that few vertices are expanded twice,
+  // wide enough that few buckets are empty.
+  const std::size_t step = std::max<std::size_t>(1, count / 4096);
+  double sum = 0.0;
+  for (std::size_t e = 0; e < count; e += step) {
+    sum += graph.lengths[e];
+  }
+  double width = count == 0 ? 1.0 : 0.5 * sum / static_cast<double>((count + step - 1) / step);
   width = std::max(width, static_cast<double>(longest) / static_cast<double>(largest_ring - 4));
   if (!(width > 0.0)) {
     width = 1.0; // every edge has length zero
@@ -46,15 +49,6 @@ BucketQueue::BucketQueue(const SurfaceGraph& graph)
   const std::size_t ring = powerOfTwoAbove(static_cast<std::size_t>(longest / width) + 3);
   mask_ = ring - 1;
   ring_.resize(ring);
-}
-
-void
-BucketQueue::reset()
-{
-  for (const Index v : touched_) {
-    expanded_[v] = std::numeric_limits<float>::infinity();
-  }
-  touched_.clear();
 }
 
 } // namespace symmetry

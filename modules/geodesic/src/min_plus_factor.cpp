@@ -1,107 +1,17 @@
 #include "geodesic/min_plus_factor.h"
 
+#include "geodesic/min_plus_matrix.h"
 #include "geodesic/parallel.h"
-#include "kernels/kernels.h"
 
 #include <algorithm>
-#include <limits>
+#include <iterator>
 #include <numeric>
 
 namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 constexpr std::size_t largest_leaf = 32;
-
-/** Sources that are swept together. Twice as many were no faster: their distances leave the cache. */
-constexpr std::size_t batch_width = kernel_lanes;
-
-std::size_t
-roundedUp(std::size_t count, std::size_t multiple)
-{
-  return (count + multiple - 1) / multiple * multiple;
-}
-
-/** KernelTable::min_plus, its columns shared out among threads where that is worth their start. */
-void
-minPlus(float* result,
-        std::size_t result_stride,
-        const float* left,
-        std::size_t left_stride,
-        const float* right,
-        std::size_t right_stride,
-        std::size_t rows,
-        std::size_t depth,
-        std::size_t columns,
-        unsigned threads)
-{
-  constexpr std::size_t worth_threads = 4000000; // about 0.2 ms
-  const std::size_t parts = rows * depth * columns < worth_threads ? 1 : 2 * threadCount(threads, columns);
-  const std::size_t grain = roundedUp(std::max<std::size_t>(1, (columns + parts - 1) / parts), kernel_lanes);
-  parallelBlocks(columns, grain, threads, [&] {
-    return [&](std::size_t begin, std::size_t end) {
-      kernels().min_plus(result + begin, result_stride, left, left_stride, right + begin, right_stride, rows, depth,
-                         end - begin);
-    };
-  });
-}
-
-/** Shortest paths among all pairs, in place: Floyd's algorithm by blocks.
- * \param[in,out] matrix symmetric, count x count; the stride is a multiple of kernel_lanes \param[in] panel scratch */
-void
-closeSymmetric(
-    std::vector<float>& matrix, std::size_t count, std::size_t stride, std::vector<float>& panel, unsigned threads)
-{
-  const KernelTable& table = kernels();
-  panel.resize(kernel_lanes * stride);
-  for (std::size_t k = 0; k < count; k += kernel_lanes) {
-    float* rows = matrix.data() + k * stride;
-    table.close_tile(rows + k, stride);
-    // Rows k .. of the matrix, with paths through the vertices of the tile; the tile is its own transpose.
-    std::copy(rows, rows + kernel_lanes * stride, panel.begin());
-    table.min_plus(panel.data(), stride, rows + k, stride, rows, stride, kernel_lanes, kernel_lanes, stride);
-    minPlus(matrix.data(), stride, panel.data(), stride, panel.data(), stride, roundedUp(count, min_plus_rows),
-            kernel_lanes, stride, threads);
-  }
-}
-
-/** Transposes a matrix in whole blocks of kernel_lanes x kernel_lanes: to has columns_blocks of rows, from rows_blocks.
- */
-void
-transposeBlocks(
-    const float* from, std::size_t from_stride, std::size_t rows, std::size_t columns, float* to, std::size_t to_stride)
-{
-  const KernelTable& table = kernels();
-  const float* tile_rows[kernel_lanes];
-  float* tile_columns[kernel_lanes];
-  for (std::size_t i = 0; i < rows; i += kernel_lanes) {
-    for (std::size_t j = 0; j < columns; j += kernel_lanes) {
-      for (std::size_t k = 0; k < kernel_lanes; ++k) {
-        tile_rows[k] = from + (i + k) * from_stride + j;
-        tile_columns[k] = to + (j + k) * to_stride + i;
-      }
-      table.transpose_tile(tile_rows, tile_columns);
-    }
-  }
-}
-
-/** Makes a matrix symmetric of which only the upper triangle is filled in. */
-void
-mirrorUpperTriangle(float* matrix, std::size_t stride)
-{
-  for (std::size_t i = 0; i < stride; i += kernel_lanes) {
-    for (std::size_t row = i; row < i + kernel_lanes; ++row) {
-      for (std::size_t column = i; column < row; ++column) {
-        matrix[row * stride + column] = matrix[column * stride + row];
-      }
-    }
-    if (i > 0) {
-      transposeBlocks(matrix + i, stride, i, kernel_lanes, matrix + i * stride, stride);
-    }
-  }
-}
 
 } // namespace
 
@@ -119,41 +29,101 @@ MinPlusFactor::MinPlusFactor(const SurfaceGraph& graph, double most_field_cost, 
     std::fill(node_at_.begin() + dissection_.nodes[node].begin, node_at_.begin() + dissection_.nodes[node].end,
               static_cast<std::uint32_t>(node));
   }
+  sortEdges();
   feasible_ = findBoundaries(most_field_cost);
 }
+
+/** Edges by position, each at the lower of its two. */
+void
+MinPlusFactor::sortEdges()
+{
+  edge_begin_.resize(graph_.size() + 1);
+  edges_.resize(graph_.neighbours.size() / 2 + 1); // one to spare: the next entry is written before it counts
+  std::uint32_t count = 0;
+  for (std::size_t p = 0; p < graph_.size(); ++p) {
+    edge_begin_[p] = count;
+    const Index v = dissection_.order[p];
+    for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
+      const std::uint32_t other = position_[graph_.neighbours[e]];
+      edges_[count] = {other, graph_.lengths[e]};
+      count += other > p ? 1U : 0U;
+    }
+  }
+  edge_begin_[graph_.size()] = count;
+}
+
+/** Finds boundary by boundary, from the leaves up. */
+class MinPlusFactor::BoundaryFinder {
+public:
+  explicit BoundaryFinder(const MinPlusFactor& factor) : factor_(factor), seen_(factor.graph_.size(), 0)
+  {
+  }
+
+  /** The boundary of a node whose children have theirs. Nodes are asked for in their order. */
+  const std::vector<std::uint32_t>&
+  find(std::size_t node)
+  {
+    const Dissection::Node& own = factor_.dissection_.nodes[node];
+    uniteChildren(own);
+    for (const std::uint32_t position : united_) {
+      seen_[position] = static_cast<std::uint32_t>(node + 1);
+    }
+    added_.clear();
+    for (std::uint32_t e = factor_.edge_begin_[own.begin]; e < factor_.edge_begin_[own.end]; ++e) {
+      const std::uint32_t position = factor_.edges_[e].position;
+      if (position >= own.end && seen_[position] != node + 1) {
+        seen_[position] = static_cast<std::uint32_t>(node + 1);
+        added_.push_back(position);
+      }
+    }
+    std::sort(added_.begin(), added_.end());
+    found_.resize(united_.size() + added_.size());
+    std::merge(united_.begin(), united_.end(), added_.begin(), added_.end(), found_.begin());
+    return found_;
+  }
+
+private:
+  void
+  uniteChildren(const Dissection::Node& own)
+  {
+    const std::uint32_t* ranges[2][2] = {};
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (own.children[i] >= 0) {
+        const auto child = static_cast<std::size_t>(own.children[i]);
+        const std::uint32_t* begin = factor_.boundary(child);
+        const std::uint32_t* end = begin + factor_.fronts_[child].boundary_count;
+        ranges[i][0] = std::lower_bound(begin, end, own.end);
+        ranges[i][1] = end;
+      }
+    }
+    united_.clear();
+    std::set_union(ranges[0][0], ranges[0][1], ranges[1][0], ranges[1][1], std::back_inserter(united_));
+  }
+
+  const MinPlusFactor& factor_;
+  std::vector<std::uint32_t> seen_; ///< per position: number of the last node + 1 in whose boundary it is
+  std::vector<std::uint32_t> united_;
+  std::vector<std::uint32_t> added_;
+  std::vector<std::uint32_t> found_;
+};
 
 bool
 MinPlusFactor::findBoundaries(double most_field_cost)
 {
-  std::vector<std::uint32_t> seen(graph_.size(), 0); // number of the last node + 1 in whose boundary the position is
+  BoundaryFinder finder(*this);
   for (std::size_t node = 0; node < fronts_.size(); ++node) {
-    const Dissection::Node& own = dissection_.nodes[node];
-    std::vector<std::uint32_t>& boundary = fronts_[node].boundary;
-    const auto add = [&](std::uint32_t position) {
-      if (position >= own.end && seen[position] != node + 1) {
-        seen[position] = static_cast<std::uint32_t>(node + 1);
-        boundary.push_back(position);
-      }
-    };
-    for (const std::int32_t child : own.children) {
-      if (child >= 0) {
-        const std::vector<std::uint32_t>& below = fronts_[static_cast<std::size_t>(child)].boundary;
-        std::for_each(below.begin(), below.end(), add);
-      }
-    }
-    for (std::uint32_t p = own.begin; p < own.end; ++p) {
-      const Index v = dissection_.order[p];
-      for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
-        add(position_[graph_.neighbours[e]]);
-      }
-    }
-    std::sort(boundary.begin(), boundary.end());
+    const std::vector<std::uint32_t>& boundary = finder.find(node);
     Front& front = fronts_[node];
+    front.boundary = boundaries_.size();
+    front.boundary_count = boundary.size();
+    boundaries_.insert(boundaries_.end(), boundary.begin(), boundary.end());
     front.own_stride = roundedUp(ownCount(node), kernel_lanes);
     front.boundary_stride = roundedUp(boundary.size(), kernel_lanes);
+    front.closure = closure_size_;
     front.to_boundary = to_boundary_size_;
+    closure_size_ += front.own_stride * front.own_stride;
     to_boundary_size_ += front.boundary_stride * front.own_stride;
-    const auto own_count = static_cast<double>(own.end - own.begin);
+    const auto own_count = static_cast<double>(ownCount(node));
     const auto boundary_count = static_cast<double>(boundary.size());
     cost_.field += own_count * boundary_count;
     cost_.factor +=
@@ -167,9 +137,10 @@ MinPlusFactor::findBoundaries(double most_field_cost)
 
 /** Matrices of the front at work. */
 struct MinPlusFactor::FrontScratch {
-  std::vector<float> edges;    ///< own x boundary: before paths through the node's own vertices
-  std::vector<float> distance; ///< own x boundary: after
-  std::vector<float> panel;
+  FloatBlock edges;    ///< own x boundary: before paths through the node's own vertices
+  FloatBlock distance; ///< own x boundary: after
+  FloatBlock panel;
+  std::vector<FloatBlock> spare;     ///< updates that have been taken over
   std::vector<std::uint32_t> place;  ///< of every position of the graph: where it is in the front
   std::vector<std::uint32_t> places; ///< of every position of a child's boundary
 };
@@ -182,32 +153,43 @@ MinPlusFactor::assemble(std::size_t node, FrontScratch& scratch)
   const Dissection::Node& own = dissection_.nodes[node];
   Front& front = fronts_[node];
   const std::size_t count = ownCount(node);
-  front.closure.assign(front.own_stride * front.own_stride, infinity);
-  scratch.edges.assign(count * front.boundary_stride, infinity);
-  front.update.assign(roundedUp(front.boundary.size(), min_plus_rows) * front.boundary_stride, infinity);
+  float* among_own = closure(node);
+  std::fill_n(among_own, front.own_stride * front.own_stride, infinity);
+  float* to_boundary = scratch.edges.reserve(count * front.boundary_stride);
+  std::fill_n(to_boundary, count * front.boundary_stride, infinity);
+  if (!scratch.spare.empty()) {
+    front.update = std::move(scratch.spare.back());
+    scratch.spare.pop_back();
+  }
+  const std::size_t update_size = roundedUp(front.boundary_count, min_plus_rows) * front.boundary_stride;
+  std::fill_n(front.update.reserve(update_size), update_size, infinity);
   scratch.place.resize(graph_.size());
   for (std::uint32_t p = own.begin; p < own.end; ++p) {
     scratch.place[p] = p - own.begin;
   }
-  for (std::size_t b = 0; b < front.boundary.size(); ++b) {
-    scratch.place[front.boundary[b]] = static_cast<std::uint32_t>(count + b);
+  for (std::size_t b = 0; b < front.boundary_count; ++b) {
+    scratch.place[boundary(node)[b]] = static_cast<std::uint32_t>(count + b);
   }
   for (const std::int32_t child : own.children) {
     if (child >= 0) {
       addUpdate(static_cast<std::size_t>(child), node, scratch);
     }
   }
-  mirrorUpperTriangle(front.closure.data(), front.own_stride);
+  if (own.children[0] >= 0) {
+    mirrorUpperTriangle(among_own, front.own_stride);
+  }
   for (std::size_t i = 0; i < count; ++i) {
-    front.closure[i * front.own_stride + i] = 0.0F;
-    const Index v = dissection_.order[own.begin + i];
-    for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
-      const std::uint32_t p = position_[graph_.neighbours[e]];
-      if (p >= own.begin) { // an edge to a vertex below is that vertex's
-        const std::size_t j = scratch.place[p];
-        float& entry =
-            j < count ? front.closure[i * front.own_stride + j] : scratch.edges[i * front.boundary_stride + j - count];
-        entry = std::min(entry, graph_.lengths[e]);
+    among_own[i * front.own_stride + i] = 0.0F;
+    for (std::uint32_t e = edge_begin_[own.begin + i]; e < edge_begin_[own.begin + i + 1]; ++e) {
+      const std::size_t j = scratch.place[edges_[e].position];
+      if (j < count) {
+        const float length = std::min(among_own[i * front.own_stride + j], edges_[e].length);
+        among_own[i * front.own_stride + j] = length;
+        among_own[j * front.own_stride + i] = length;
+      }
+      else {
+        float& entry = to_boundary[i * front.boundary_stride + j - count];
+        entry = std::min(entry, edges_[e].length);
       }
     }
   }
@@ -221,11 +203,11 @@ MinPlusFactor::addUpdate(std::size_t child, std::size_t node, FrontScratch& scra
   Front& front = fronts_[node];
   Front& below = fronts_[child];
   const std::size_t count = ownCount(node);
-  const std::size_t size = below.boundary.size();
+  const std::size_t size = below.boundary_count;
   scratch.places.resize(size);
   std::size_t inside = 0; // so many of the child's boundary are the node's own
   for (std::size_t b = 0; b < size; ++b) {
-    scratch.places[b] = scratch.place[below.boundary[b]];
+    scratch.places[b] = scratch.place[boundary(child)[b]];
     inside += scratch.places[b] < count ? 1U : 0U;
   }
   for (std::size_t i = 0; i < size; ++i) {
@@ -233,7 +215,7 @@ MinPlusFactor::addUpdate(std::size_t child, std::size_t node, FrontScratch& scra
     const std::size_t row = scratch.places[i];
     float* to = nullptr;
     if (i < inside) {
-      float* own = front.closure.data() + row * front.own_stride;
+      float* own = closure(node) + row * front.own_stride;
       for (std::size_t j = i; j < inside; ++j) {
         own[scratch.places[j]] = std::min(own[scratch.places[j]], from[j]);
       }
@@ -247,7 +229,7 @@ MinPlusFactor::addUpdate(std::size_t child, std::size_t node, FrontScratch& scra
       entry = std::min(entry, from[j]);
     }
   }
-  below.update = std::vector<float>();
+  scratch.spare.push_back(std::move(below.update));
 }
 
 void
@@ -259,12 +241,13 @@ MinPlusFactor::eliminate(std::size_t node, FrontScratch& scratch, unsigned threa
   if (count == 0) {
     return;
   }
-  closeSymmetric(front.closure, count, front.own_stride, scratch.panel, threads);
-  scratch.distance.assign(front.own_stride * front.boundary_stride, infinity);
-  minPlus(scratch.distance.data(), front.boundary_stride, front.closure.data(), front.own_stride, scratch.edges.data(),
+  closeSymmetric(closure(node), count, front.own_stride, scratch.panel, threads);
+  std::fill_n(scratch.distance.reserve(front.own_stride * front.boundary_stride),
+              front.own_stride * front.boundary_stride, infinity);
+  minPlus(scratch.distance.data(), front.boundary_stride, closure(node), front.own_stride, scratch.edges.data(),
           front.boundary_stride, roundedUp(count, min_plus_rows), count, front.boundary_stride, threads);
   // The update is symmetric: of each block of columns only the rows down to the diagonal are needed.
-  const std::size_t rows = roundedUp(front.boundary.size(), min_plus_rows);
+  const std::size_t rows = roundedUp(front.boundary_count, min_plus_rows);
   constexpr std::size_t panel = 4 * kernel_lanes;
   for (std::size_t j = 0; j < front.boundary_stride; j += panel) {
     const std::size_t columns = std::min(panel, front.boundary_stride - j);
@@ -272,13 +255,14 @@ MinPlusFactor::eliminate(std::size_t node, FrontScratch& scratch, unsigned threa
             scratch.distance.data() + j, front.boundary_stride, std::min(rows, j + columns), count, columns, threads);
   }
   transposeBlocks(scratch.distance.data(), front.boundary_stride, front.own_stride, front.boundary_stride,
-                  to_boundary_.get() + front.to_boundary, front.own_stride);
+                  toBoundary(node), front.own_stride);
 }
 
 void
 MinPlusFactor::factorize(unsigned threads)
 {
-  to_boundary_.reset(new float[to_boundary_size_]);
+  closure_.reserve(closure_size_);
+  to_boundary_.reserve(to_boundary_size_);
   // Subtrees that share no node are independent of each other. The nodes of a subtree are numbered one after another.
   constexpr std::size_t subtrees_per_thread = 4;
   const std::size_t most = graph_.size() / (subtrees_per_thread * threadCount(threads, graph_.size())) + 1;
@@ -319,145 +303,6 @@ MinPlusFactor::subtreeSize(std::size_t node) const
     lowest = static_cast<std::size_t>(dissection_.nodes[lowest].children[0]);
   }
   return dissection_.nodes[node].end - dissection_.nodes[lowest].begin;
-}
-
-/** Distances from several sources at once, side by side: entry [position * batch_width + source]. */
-class MinPlusFactor::FieldBatch {
-public:
-  explicit FieldBatch(const MinPlusFactor& factor)
-      : factor_(factor),
-        table_(kernels()),
-        distances_((factor.graph_.size() + min_plus_rows) * batch_width),
-        is_above_(factor.fronts_.size())
-  {
-  }
-
-  /** \param[in] sources at most batch_width */
-  void
-  run(const std::uint32_t* positions, std::size_t sources)
-  {
-    std::fill(distances_.begin(), distances_.end(), infinity);
-    std::fill(is_above_.begin(), is_above_.end(), 0);
-    for (std::size_t s = 0; s < sources; ++s) {
-      distances_[positions[s] * batch_width + s] = 0.0F;
-      for (auto node = static_cast<std::int32_t>(factor_.node_at_[positions[s]]); node >= 0 && is_above_[node] == 0;
-           node = factor_.dissection_.nodes[node].parent) {
-        is_above_[node] = 1;
-      }
-    }
-    const std::size_t nodes = factor_.fronts_.size();
-    for (std::size_t node = 0; node < nodes; ++node) {
-      if (is_above_[node] != 0) {
-        sweepUp(node);
-      }
-    }
-    for (std::size_t node = nodes; node-- > 0;) {
-      sweepDown(node);
-    }
-  }
-
-  /** Writes the distances of each source to its field, in the order of the vertices. */
-  void
-  store(float* const* fields, std::size_t sources) const
-  {
-    const std::size_t n = factor_.graph_.size();
-    const float* rows[kernel_lanes];
-    constexpr std::size_t ahead = 4 * kernel_lanes; // neighbours in number need not be neighbours in position
-    float tile[kernel_lanes][kernel_lanes];
-    float* columns[kernel_lanes];
-    for (std::size_t v = 0; v < n; v += kernel_lanes) {
-      const std::size_t block = std::min(n - v, kernel_lanes);
-      for (std::size_t i = 0; i < kernel_lanes; ++i) {
-        rows[i] = at(factor_.position_[v + std::min(i, block - 1)]);
-        __builtin_prefetch(at(factor_.position_[std::min(v + i + ahead, n - 1)]));
-        columns[i] = i < sources && block == kernel_lanes ? fields[i] + v : tile[i];
-      }
-      table_.transpose_tile(rows, columns);
-      for (std::size_t s = 0; block < kernel_lanes && s < sources; ++s) {
-        std::copy_n(tile[s], block, fields[s] + v);
-      }
-    }
-  }
-
-private:
-  const float*
-  at(std::uint32_t position) const
-  {
-    return distances_.data() + position * batch_width;
-  }
-
-  float*
-  ownDistances(std::size_t node)
-  {
-    return distances_.data() + factor_.dissection_.nodes[node].begin * batch_width;
-  }
-
-  /** Closes the distances of a node's vertices within its subtree and hands them to its boundary. */
-  void
-  sweepUp(std::size_t node)
-  {
-    const Front& front = factor_.fronts_[node];
-    const std::size_t count = factor_.ownCount(node);
-    const std::size_t rows = roundedUp(count, min_plus_rows);
-    float* own = ownDistances(node);
-    gathered_.assign(rows * batch_width, infinity);
-    table_.min_plus(gathered_.data(), batch_width, front.closure.data(), front.own_stride, own, batch_width, rows,
-                    count, batch_width);
-    std::copy_n(gathered_.begin(), count * batch_width, own);
-
-    transposed_.resize(front.own_stride * front.boundary_stride);
-    transposeBlocks(factor_.to_boundary_.get() + front.to_boundary, front.own_stride, front.boundary_stride,
-                    front.own_stride, transposed_.data(), front.boundary_stride);
-    gathered_.assign(front.boundary_stride * batch_width, infinity);
-    table_.min_plus(gathered_.data(), batch_width, transposed_.data(), front.boundary_stride, own, batch_width,
-                    front.boundary_stride, count, batch_width);
-    for (std::size_t b = 0; b < front.boundary.size(); ++b) {
-      float* to = distances_.data() + front.boundary[b] * batch_width;
-      for (std::size_t lane = 0; lane < batch_width; ++lane) {
-        to[lane] = std::min(to[lane], gathered_[b * batch_width + lane]);
-      }
-    }
-  }
-
-  /** Lowers the distances of a node's vertices by ways that come from its boundary, whose distances are final. */
-  void
-  sweepDown(std::size_t node)
-  {
-    const Front& front = factor_.fronts_[node];
-    table_.min_plus_picked(ownDistances(node), factor_.to_boundary_.get() + front.to_boundary, front.own_stride,
-                           distances_.data(), front.boundary.data(), roundedUp(factor_.ownCount(node), min_plus_rows),
-                           front.boundary.size(), batch_width);
-  }
-
-  const MinPlusFactor& factor_;
-  const KernelTable& table_;
-  std::vector<float> distances_;
-  std::vector<char> is_above_; ///< per node: a source is in its subtree
-  std::vector<float> gathered_;
-  std::vector<float> transposed_;
-};
-
-void
-MinPlusFactor::fields(const std::vector<Index>& sources, float* rows, unsigned threads) const
-{
-  // Sources that are close to each other have most of their way up in common.
-  std::vector<std::uint32_t> order(sources.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return position_[sources[a]] < position_[sources[b]]; });
-  parallelBlocks(sources.size(), batch_width, threads, [&] {
-    return [&, batch = FieldBatch(*this)](std::size_t begin, std::size_t end) mutable {
-      std::uint32_t positions[batch_width];
-      float* fields[batch_width];
-      const std::size_t count = end - begin;
-      for (std::size_t s = 0; s < count; ++s) {
-        positions[s] = position_[sources[order[begin + s]]];
-        fields[s] = rows + order[begin + s] * graph_.size();
-      }
-      batch.run(positions, count);
-      batch.store(fields, count);
-    };
-  });
 }
 
 } // namespace symmetry

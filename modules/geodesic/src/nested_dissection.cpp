@@ -1,11 +1,11 @@
 #include "geodesic/nested_dissection.h"
 
 #include "geodesic/parallel.h"
+#include "geodesic/vertex_cover.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <future>
 #include <limits>
 #include <numeric>
@@ -18,6 +18,27 @@ constexpr std::size_t landmark_count = 6;
 
 /** Numbers of edges to each landmark. */
 using HopCounts = std::array<float, landmark_count>;
+
+/** Calls use (w) for every neighbour w of a vertex, for some of them several times: always often enough for a vertex of
+ * a mesh, so that the end of the loop is no guess. */
+template <typename Use>
+inline void
+forNeighbours(const SurfaceGraph& graph, Index v, Use use)
+{
+  constexpr std::uint32_t at_least = 8;
+  const std::uint32_t begin = graph.offsets[v];
+  const std::uint32_t end = graph.offsets[v + 1];
+  if (begin == end) {
+    return;
+  }
+#pragma GCC unroll 8
+  for (std::uint32_t i = 0; i < at_least; ++i) {
+    use(graph.neighbours[std::min(begin + i, end - 1)]);
+  }
+  for (std::uint32_t e = begin + at_least; e < end; ++e) {
+    use(graph.neighbours[e]);
+  }
+}
 
 /** Breadth-first search: number of edges from a vertex to every other one, -1 where none leads there.
  * \param[out] found the vertices in the order found
@@ -37,14 +58,13 @@ countHops(const SurfaceGraph& graph, Index from, std::vector<std::int32_t>& hops
     if (i + ahead < count) {
       __builtin_prefetch(graph.neighbours.data() + graph.offsets[found[i + ahead]]);
     }
-    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
+    forNeighbours(graph, v, [&](Index w) {
       // Without a branch, which would be a guess every time.
-      const Index w = graph.neighbours[e];
       const std::int32_t known = hops[w];
       found[count] = w;
       count += known < 0 ? 1U : 0U;
       hops[w] = known < 0 ? next : known;
-    }
+    });
   }
   return count;
 }
@@ -129,25 +149,6 @@ principalDirection(const std::vector<HopCounts>& coordinates, const Index* begin
   return direction;
 }
 
-/** Unsigned number that rises with the value. */
-std::uint32_t
-sortableBits(float value)
-{
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
-}
-
-/** Inverse of sortableBits (). */
-float
-valueOf(std::uint32_t bits)
-{
-  bits = (bits & 0x80000000U) != 0 ? bits & 0x7FFFFFFFU : ~bits;
-  float value = 0.0F;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
-}
-
 class Dissector {
 public:
   Dissector(const SurfaceGraph& graph, std::size_t largest_leaf)
@@ -155,9 +156,10 @@ public:
         largest_leaf_(std::max<std::size_t>(largest_leaf, 1)),
         coordinates_(landmarkCoordinates(graph)),
         order_(graph.size()),
-        part_(graph.size(), separator),
-        keys_(graph.size()),
-        sorted_(graph.size())
+        layer_(graph.size(), 1),
+        number_(graph.size()),
+        along_(graph.size()),
+        highest_(graph.size())
   {
     std::iota(order_.begin(), order_.end(), 0);
   }
@@ -166,7 +168,8 @@ public:
   run(unsigned threads)
   {
     Dissection dissection;
-    dissection.nodes = split(0, order_.size(), threads);
+    Scratch scratch;
+    dissection.nodes = split(0, order_.size(), threads, scratch);
     dissection.order = std::move(order_);
     return dissection;
   }
@@ -174,15 +177,21 @@ public:
 private:
   using Nodes = std::vector<Dissection::Node>;
 
-  // What part_ says of a vertex of the piece at work. No edge joins two pieces, so a neighbour elsewhere is a
-  // separator.
+  // A piece is cut into layers along its direction. No edge joins two pieces, so a neighbour of a vertex of the piece
+  // is in the piece or has this layer:
   static constexpr std::uint8_t separator = 0;
-  static constexpr std::uint8_t lower_half = 1;
-  static constexpr std::uint8_t upper_half = 2;
+  static constexpr std::size_t most_layers = 128;
+
+  struct Scratch {
+    std::vector<Index> borders[2];
+    std::vector<std::uint32_t> covers[2];
+    std::vector<Index> moved;
+    VertexCover cover;
+  };
 
   /** Takes the vertices at positions [begin, end) apart. \return the nodes of the subtree, numbered from 0 */
   Nodes
-  split(std::size_t begin, std::size_t end, unsigned threads)
+  split(std::size_t begin, std::size_t end, unsigned threads, Scratch& scratch)
   {
     constexpr std::size_t worth_a_thread = 2000;
     Dissection::Node top;
@@ -191,18 +200,21 @@ private:
     if (end - begin <= largest_leaf_) {
       return {top};
     }
-    const Parts parts = separate(begin, end);
+    const Parts parts = separate(begin, end, scratch);
     top.begin = static_cast<std::uint32_t>(parts.separator);
     Nodes nodes;
     Nodes more;
     if (threads > 1 && end - begin > worth_a_thread) {
-      auto other = std::async(std::launch::async, [&] { return split(begin, parts.second, threads / 2); });
-      more = split(parts.second, parts.separator, threads - threads / 2);
+      auto other = std::async(std::launch::async, [&] {
+        Scratch own;
+        return split(begin, parts.second, threads / 2, own);
+      });
+      more = split(parts.second, parts.separator, threads - threads / 2, scratch);
       nodes = other.get();
     }
     else {
-      nodes = split(begin, parts.second, 1);
-      more = split(parts.second, parts.separator, 1);
+      nodes = split(begin, parts.second, 1, scratch);
+      more = split(parts.second, parts.separator, 1, scratch);
     }
     const auto offset = static_cast<std::int32_t>(nodes.size());
     for (Dissection::Node& node : more) {
@@ -227,133 +239,173 @@ private:
   };
 
   Parts
-  separate(std::size_t begin, std::size_t end)
+  separate(std::size_t begin, std::size_t end, Scratch& scratch)
   {
-    const Halves halves = sortByHalves(begin, end);
+    const std::uint8_t first_above = sortIntoLayers(begin, end);
+    std::vector<Index>& border = scratch.borders[0];
+    border.clear();
     for (std::size_t i = begin; i < end; ++i) {
-      part_[order_[i]] = i < halves.middle ? lower_half : upper_half;
-    }
-    std::vector<Index> borders[2];
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint8_t other = i < halves.middle ? upper_half : lower_half;
-      if (keys_[i] >= halves.least_on_border && keys_[i] <= halves.largest_on_border && touches(order_[i], other)) {
-        borders[i < halves.middle ? 0 : 1].push_back(order_[i]);
+      if (layer_[order_[i]] < first_above && highest_[i] >= first_above) {
+        border.push_back(order_[i]);
       }
     }
-    const std::vector<Index>& border = borders[1].size() < borders[0].size() ? borders[1] : borders[0];
+    coverBorder(first_above, end - begin, scratch);
     for (const Index v : border) {
-      part_[v] = separator;
+      layer_[v] = separator;
     }
-    // Both halves keep their order.
+    // Both halves keep their order. Without a branch, which would be a guess: every vertex is written to both, and
+    // counts in one.
+    scratch.moved.resize(end - begin + 1);
     std::size_t kept = begin;
-    Parts parts{begin, begin};
+    std::size_t moved = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      if (i == halves.middle) {
-        parts.second = kept;
-      }
       const Index v = order_[i];
+      const std::uint8_t layer = layer_[v];
       order_[kept] = v;
-      kept += part_[v] != separator ? 1U : 0U;
+      scratch.moved[moved] = v;
+      kept += layer < first_above && layer != separator ? 1U : 0U;
+      moved += layer >= first_above ? 1U : 0U;
     }
-    parts.separator = kept;
-    std::copy(border.begin(), border.end(), order_.begin() + static_cast<std::ptrdiff_t>(kept));
+    const Parts parts{kept, kept + moved};
+    std::copy_n(scratch.moved.begin(), moved, order_.begin() + static_cast<std::ptrdiff_t>(parts.second));
+    std::copy(border.begin(), border.end(), order_.begin() + static_cast<std::ptrdiff_t>(parts.separator));
     return parts;
   }
 
-  bool
-  touches(Index v, std::uint8_t part) const
+  /** Replaces the border of the lower half by the fewest vertices that touch all edges between the halves. */
+  void
+  coverBorder(std::uint8_t first_above, std::size_t piece, Scratch& scratch)
   {
-    for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
-      if (part_[graph_.neighbours[e]] == part) {
-        return true;
+    std::vector<Index>& below = scratch.borders[0];
+    std::vector<Index>& above = scratch.borders[1];
+    above.clear();
+    if (static_cast<double>(below.size()) > 16.0 * std::sqrt(static_cast<double>(piece))) {
+      return; // no surface: a few vertices less would not help
+    }
+    for (const Index v : below) {
+      for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
+        const Index w = graph_.neighbours[e];
+        if (layer_[w] >= first_above && !(number_[w] < above.size() && above[number_[w]] == w)) {
+          number_[w] = static_cast<std::uint32_t>(above.size());
+          above.push_back(w);
+        }
       }
     }
-    return false;
+    const auto edges_of = [&](std::uint32_t i, auto use) {
+      const Index v = below[i];
+      for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
+        if (layer_[graph_.neighbours[e]] >= first_above) {
+          use(number_[graph_.neighbours[e]]);
+        }
+      }
+    };
+    scratch.cover.find(below.size(), above.size(), edges_of, scratch.covers[0], scratch.covers[1]);
+    std::size_t count = 0;
+    for (const std::uint32_t i : scratch.covers[0]) {
+      below[count++] = below[i]; // the numbers rise
+    }
+    below.resize(count);
+    for (const std::uint32_t i : scratch.covers[1]) {
+      below.push_back(above[i]);
+    }
   }
 
-  /** [begin, middle) is one half; a vertex with a neighbour in the other half has a key between the two given. */
-  struct Halves {
-    std::size_t middle;
-    std::uint64_t least_on_border;
-    std::uint64_t largest_on_border;
-  };
-
-  /** Brings the vertices before the median of the principal direction to the front. */
-  Halves
-  sortByHalves(std::size_t begin, std::size_t end)
+  /** Finds the layer of every vertex of a piece. \return the first layer of the upper half */
+  std::uint8_t
+  sortIntoLayers(std::size_t begin, std::size_t end)
   {
-    const Index* order = order_.data();
-    const HopCounts direction = principalDirection(coordinates_, order + begin, order + end);
-    float largest = 0.0F;
+    const HopCounts direction = principalDirection(coordinates_, order_.data() + begin, order_.data() + end);
+    float least = std::numeric_limits<float>::infinity();
+    float largest = -least;
     for (std::size_t i = begin; i < end; ++i) {
-      const HopCounts& position = coordinates_[order[i]];
+      const HopCounts& position = coordinates_[order_[i]];
       float along = 0.0F;
       for (std::size_t k = 0; k < landmark_count; ++k) {
         along += direction[k] * position[k];
       }
-      largest = std::max(largest, std::abs(along));
-      keys_[i] = std::uint64_t{sortableBits(along)} << 32U | static_cast<std::uint32_t>(order[i]);
+      along_[i] = along;
+      least = std::min(least, along);
+      largest = std::max(largest, along);
     }
-    const Median median = partitionNearMedian(begin, end);
-    for (std::size_t i = begin; i < end; ++i) {
-      order_[i] = static_cast<Index>(keys_[i] & 0xFFFFFFFFU);
+    const std::size_t layers = end - begin < 1024 ? most_layers / 4 : most_layers;
+    const float width = (largest - least) / static_cast<float>(layers);
+    if (width > 0.0F) {
+      const float per_length = 1.0F / width;
+      const auto last = static_cast<std::int32_t>(layers - 1);
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto layer = static_cast<std::int32_t>((along_[i] - least) * per_length);
+        layer_[order_[i]] = static_cast<std::uint8_t>(1 + std::min(layer, last));
+      }
+      const std::uint8_t first_above = bestCut(begin, end, layers);
+      if (first_above != separator) {
+        return first_above;
+      }
     }
-    // Neighbours differ by at most 1 in every number of edges.
-    float reach = 1e-5F * largest; // rounding
-    for (const float part : direction) {
-      reach += std::abs(part);
-    }
-    const float at = valueOf(static_cast<std::uint32_t>(median.key >> 32U));
-    return {begin + median.lower, std::uint64_t{sortableBits(at - reach)} << 32U,
-            std::uint64_t{sortableBits(at + reach)} << 32U | 0xFFFFFFFFU};
+    return cutAtMedian(begin, end);
   }
 
-  struct Median {
-    std::size_t lower; ///< number of keys below it
-    std::uint64_t key;
-  };
-
-  /** Brings the lower half of the keys to the front. The median of a sample is near enough; where it is not, the median
-   * of all is found. */
-  Median
-  partitionNearMedian(std::size_t begin, std::size_t end)
+  /** Finds the highest layer next to every vertex of a piece, and where a cut between layers is short and near the
+   * middle. \return the first layer above it; 0 where no cut is near the middle */
+  std::uint8_t
+  bestCut(std::size_t begin, std::size_t end, std::size_t layers)
   {
-    constexpr std::size_t sample = 63;
-    const std::size_t count = end - begin;
-    std::uint64_t* keys = keys_.data() + begin;
-    std::uint64_t picked[sample];
-    for (std::size_t i = 0; i < sample; ++i) {
-      picked[i] = keys[i * count / sample];
+    std::int32_t counts[most_layers + 1] = {}; // vertices
+    std::int32_t change[most_layers + 1] =
+        {}; // vertices with a neighbour above, less those with none above from here on
+    for (std::size_t i = begin; i < end; ++i) {
+      const Index v = order_[i];
+      std::uint8_t highest = layer_[v];
+      forNeighbours(graph_, v, [&](Index w) { highest = std::max(highest, layer_[w]); });
+      highest_[i] = highest;
+      ++counts[layer_[v]];
+      ++change[layer_[v]];
+      --change[highest];
     }
-    std::nth_element(picked, picked + sample / 2, picked + sample);
-    const std::uint64_t pivot = picked[sample / 2];
-    // Without a branch, which would be a guess: every key is written to both ends of what is left, and one counts.
-    std::uint64_t* sorted = sorted_.data() + begin;
-    std::size_t lower = 0;
-    std::size_t upper = count;
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint64_t key = keys[i];
-      sorted[lower] = key;
-      sorted[upper - 1] = key;
-      const std::size_t is_lower = key < pivot ? 1 : 0;
-      lower += is_lower;
-      upper -= 1 - is_lower;
+    const auto size = static_cast<std::int32_t>(end - begin);
+    std::uint8_t best = separator;
+    double least = std::numeric_limits<double>::infinity();
+    std::int32_t below = 0;
+    std::int32_t border = 0;
+    for (std::size_t layer = 1; layer < layers; ++layer) {
+      below += counts[layer];
+      border += change[layer];
+      if (below > size / 3 && below < size - size / 3) {
+        const double off = static_cast<double>(below) / size - 0.5;
+        const double cost = border * (1.0 + 12.0 * off * off);
+        if (cost < least) {
+          least = cost;
+          best = static_cast<std::uint8_t>(layer + 1);
+        }
+      }
     }
-    std::copy(sorted, sorted + count, keys);
-    if (lower >= count / 3 && lower <= count - count / 3) {
-      return {lower, pivot};
+    return best;
+  }
+
+  /** Two layers of the same number of vertices; ties by number. \return the upper one */
+  std::uint8_t
+  cutAtMedian(std::size_t begin, std::size_t end)
+  {
+    std::vector<std::pair<float, Index>> sorted;
+    for (std::size_t i = begin; i < end; ++i) {
+      sorted.emplace_back(along_[i], order_[i]);
     }
-    std::nth_element(keys, keys + count / 2, keys + count);
-    return {count / 2, keys[count / 2]};
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    for (auto entry = sorted.begin(); entry != sorted.end(); ++entry) {
+      layer_[entry->second] = entry < middle ? 1 : 2;
+    }
+    bestCut(begin, end, 2); // for the highest layers next to each
+    return 2;
   }
 
   const SurfaceGraph& graph_;
   std::size_t largest_leaf_;
   std::vector<HopCounts> coordinates_;
   std::vector<Index> order_;
-  std::vector<std::uint8_t> part_;  ///< of every vertex
-  std::vector<std::uint64_t> keys_; ///< at every position: coordinate, then vertex
-  std::vector<std::uint64_t> sorted_;
+  std::vector<std::uint8_t> layer_;   ///< of every vertex
+  std::vector<std::uint32_t> number_; ///< of every vertex of an upper border
+  std::vector<float> along_;          ///< at every position: how far along the direction
+  std::vector<std::uint8_t> highest_; ///< at every position: layer of the vertex or of one next to it
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "geodesic/shortest_paths.h"
 
 #include "geodesic/bucket_queue.h"
+#include "geodesic/large_memory.h"
 #include "geodesic/min_plus_factor.h"
 #include "geodesic/parallel.h"
 
@@ -35,11 +36,12 @@ predecessor(const SurfaceGraph& graph, const float* field, Index v)
 /** What the two ways to many fields cost, in nanoseconds on one core, as measured on meshes of 10^4 to 10^5 vertices
  * and clouds of 10^6. Fixed numbers, not measured anew: which way is taken must not depend on the machine. */
 struct EngineCosts {
-  static constexpr double search_per_edge = 8.0; // of a bucket queue, per direction of an edge
+  static constexpr double search_per_edge = 6.0; // of a bucket queue, per direction of an edge
   static constexpr double analysis_per_vertex = 400.0;
-  static constexpr double factor_per_minimum = 0.1;
-  static constexpr double field_per_minimum = 0.1;
-  static constexpr double field_per_vertex = 4.0;
+  static constexpr double minima_per_vertex = 20.0; // of a surface's factor, times the root of the number of vertices
+  static constexpr double factor_per_minimum = 0.08;
+  static constexpr double field_per_minimum = 0.06;
+  static constexpr double field_per_vertex = 1.0;
 };
 
 void
@@ -86,11 +88,14 @@ DistanceFieldSolver::~DistanceFieldSolver() = default;
 bool
 DistanceFieldSolver::isFactorized(unsigned threads)
 {
-  constexpr std::size_t fewest_sources = 32; // below, not even the analysis pays
+  constexpr std::size_t fewest_sources = 24; // below, not even the analysis pays
   const auto count = static_cast<double>(sources_);
   const auto vertices = static_cast<double>(graph_.size());
   const double search = EngineCosts::search_per_edge * static_cast<double>(graph_.neighbours.size());
-  if (factorized_ || sources_ < fewest_sources || search * count < EngineCosts::analysis_per_vertex * vertices) {
+  const double elimination =
+      vertices * (EngineCosts::analysis_per_vertex +
+                  EngineCosts::factor_per_minimum * EngineCosts::minima_per_vertex * std::sqrt(vertices));
+  if (factorized_ || sources_ < fewest_sources || search * count < elimination) {
     return factorized_;
   }
   if (factor_ == nullptr) {
@@ -112,6 +117,8 @@ DistanceFieldSolver::fields(const std::vector<Index>& sources, unsigned threads)
   constexpr std::size_t fewest_eliminated = 4; // a sweep costs as much for one source as for many
   DistanceFields fields;
   fields.columns = graph_.size();
+  fields.values.reserve(sources.size() * graph_.size());
+  preferLargePages(fields.values.data(), sources.size() * graph_.size() * sizeof(float));
   fields.values.resize(sources.size() * graph_.size());
   sources_ += sources.size();
   if (isFactorized(threads) && sources.size() >= fewest_eliminated) {

@@ -9,8 +9,8 @@ namespace symmetry {
 #include "transpose.inc"
 #include "weighted_distance.inc"
 
-const KernelTable avx512_kernels{nearestRows,   minPlus,          minPlusPicked,      closeTile,
-                                 transposeTile, weightedDistance, weightedBoxDistance};
+const KernelTable avx512_kernels{nearestRows,   minPlus,           minPlusPicked,       closeTile,
+                                 transposeTile, weightedDistances, weightedBoxDistances};
 
 } // namespace symmetry
 } // namespace pcl

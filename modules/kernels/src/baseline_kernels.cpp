@@ -9,8 +9,8 @@ namespace symmetry {
 #include "transpose.inc"
 #include "weighted_distance.inc"
 
-const KernelTable baseline_kernels{nearestRows,   minPlus,          minPlusPicked,      closeTile,
-                                   transposeTile, weightedDistance, weightedBoxDistance};
+const KernelTable baseline_kernels{nearestRows,   minPlus,           minPlusPicked,       closeTile,
+                                   transposeTile, weightedDistances, weightedBoxDistances};
 
 } // namespace symmetry
 } // namespace pcl

@@ -133,32 +133,27 @@ public:
       weights_[i] = featureWeight(query[i], tree_.floors_[i]);
     }
     best_ = {-1, std::numeric_limits<float>::infinity()};
-    evaluate(last_entry_);
+    evaluate(last_entry_, last_entry_ + 1);
     descend(0);
     return best_;
   }
 
 private:
+  /** Candidates [begin, end), at most as many as a leaf has. */
   void
-  evaluate(std::size_t entry)
+  evaluate(std::size_t begin, std::size_t end)
   {
-    const float* candidate = &tree_.features_[entry * tree_.padded_];
-    const float value =
-        table_.weighted_distance(query_.data(), candidate, weights_.data(), tree_.padded_, best_.dissimilarity);
-    const auto row = static_cast<std::ptrdiff_t>(tree_.order_[entry]);
-    if (value < best_.dissimilarity || (value == best_.dissimilarity && row < best_.row) || best_.row < 0) {
-      best_ = {row, value};
-      last_entry_ = entry;
+    float values[leaf_size];
+    table_.weighted_distances(query_.data(), &tree_.features_[begin * tree_.padded_], end - begin, weights_.data(),
+                              tree_.padded_, values);
+    for (std::size_t entry = begin; entry < end; ++entry) {
+      const float value = values[entry - begin];
+      const auto row = static_cast<std::ptrdiff_t>(tree_.order_[entry]);
+      if (value < best_.dissimilarity || (value == best_.dissimilarity && row < best_.row) || best_.row < 0) {
+        best_ = {row, value};
+        last_entry_ = entry;
+      }
     }
-  }
-
-  float
-  bound(std::uint32_t node) const
-  {
-    const float* lower = &tree_.lower_[node * tree_.padded_];
-    const float* upper = &tree_.upper_[node * tree_.padded_];
-    return table_.weighted_box_distance(query_.data(), lower, upper, weights_.data(), tree_.padded_,
-                                        best_.dissimilarity);
   }
 
   void
@@ -166,12 +161,13 @@ private:
   {
     const Node& box = tree_.nodes_[node];
     if (box.children == 0) {
-      for (std::size_t entry = box.begin; entry < box.end; ++entry) {
-        evaluate(entry);
-      }
+      evaluate(box.begin, box.end);
       return;
     }
-    const float bounds[2] = {bound(box.children), bound(box.children + 1)};
+    float bounds[2];
+    table_.weighted_box_distances(query_.data(), &tree_.lower_[box.children * tree_.padded_],
+                                  &tree_.upper_[box.children * tree_.padded_], 2, weights_.data(), tree_.padded_,
+                                  bounds);
     const std::uint32_t nearer = bounds[1] < bounds[0] ? 1 : 0;
     for (const std::uint32_t child : {nearer, 1 - nearer}) {
       if (bounds[child] <= best_.dissimilarity) { // equal ones too: a tie may have a lower row
