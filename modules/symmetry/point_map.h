@@ -22,6 +22,10 @@ struct CellMembers {
 CellMembers
 membersOfCells(const CoarseSurface& coarse);
 
+/** \brief At most so many points of each cell, evenly picked. */
+CellMembers
+thinnedMembers(const CellMembers& members, std::uint32_t most_per_cell);
+
 /** \brief Partner point of every sample, to the precision of the surface instead of that of the samples.
  *
  * Searched by eigenfunctions among the points of the cells around the image of the sample.

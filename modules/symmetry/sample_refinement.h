@@ -25,6 +25,7 @@ struct RefinementSettings {
   std::vector<float> end_radii{0.12F, 0.18F}; ///< ends of the body that are turned; empty: none
   float end_separation = 0.12F;               ///< of the tips of these ends
   int mutual_rounds = 4;                      ///< in which partners are drawn towards a map that is its own inverse
+  std::uint32_t probes = 16; ///< points of a cell from which nearest ones are searched over the surface
   ScoreWeights score;
   std::size_t score_queries = 300; ///< hubs that take part in the measure of isometry
   float fit = 1.0F;                ///< weight of the fit of the patches in the value of an estimate
@@ -68,6 +69,7 @@ private:
   const HubSurface& hubs_;
   const SampleInterpolation& interpolation_;
   const CellMembers& members_;
+  CellMembers probes_; ///< points of each cell from which nearest ones are searched
   const RefinementSettings& settings_;
   unsigned threads_;
   ShapeDescriptor guide_;

@@ -2,6 +2,7 @@
 
 #include "geodesic/parallel.h"
 #include "geodesic/vector_math.h"
+#include "symmetry/walk_down.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,20 +134,22 @@ Index
 PatchAlignment::nearestFacing(Index partner, const WantedPlace& wanted) const
 {
   const float turn_cost = 8.0F * spacing_ * spacing_;
+  const auto cost = [&](Index v) {
+    const Vector3 off = surface_.points[v] - wanted.place;
+    return dot(off, off) + turn_cost * (1.0F - dot(wanted.normal, surface_.normals[v]));
+  };
   Index best = partner;
   float least = std::numeric_limits<float>::infinity();
   for (const Index cell : cellsAround(partner)) {
     for (std::uint32_t e = members_.offsets[cell]; e < members_.offsets[cell + 1]; ++e) {
-      const Index v = members_.points[e];
-      const Vector3 off = surface_.points[v] - wanted.place;
-      const float cost = dot(off, off) + turn_cost * (1.0F - dot(wanted.normal, surface_.normals[v]));
-      if (cost < least) {
-        least = cost;
-        best = v;
+      const float here = cost(members_.points[e]);
+      if (here < least) {
+        least = here;
+        best = members_.points[e];
       }
     }
   }
-  return best;
+  return walkDown(surface_.graph, best, cost);
 }
 
 } // namespace symmetry

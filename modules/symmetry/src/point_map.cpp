@@ -3,6 +3,7 @@
 #include "geodesic/parallel.h"
 #include "geodesic/vector_math.h"
 #include "symmetry/place_matches.h"
+#include "symmetry/walk_down.h"
 
 #include <algorithm>
 #include <limits>
@@ -25,12 +26,10 @@ cellAndNeighbours(const SurfaceGraph& graph, Index cell)
 
 using RowMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/** Points of each cell among which partners are searched, with the eigenfunctions there: cell i owns entries and rows
- * [offsets[i], offsets[i + 1]). */
+/** Points of each cell among which partners are searched, with the eigenfunctions there. */
 struct CellProbes {
-  std::vector<std::uint32_t> offsets{0};
-  std::vector<Index> points;
-  RowMatrix functions;
+  CellMembers members;
+  RowMatrix functions; ///< one row per point of \a members
 };
 
 CellProbes
@@ -41,20 +40,14 @@ probeCells(const SampleInterpolation& interpolation,
 {
   // In a dense cell a part of the points is enough: the fit of the points around averages what is lost.
   constexpr std::uint32_t most_per_cell = 48;
-  CellProbes probes;
-  for (std::size_t cell = 0; cell + 1 < members.offsets.size(); ++cell) {
-    const std::uint32_t step = 1 + (members.offsets[cell + 1] - members.offsets[cell]) / most_per_cell;
-    for (std::uint32_t e = members.offsets[cell]; e < members.offsets[cell + 1]; e += step) {
-      probes.points.push_back(members.points[e]);
-    }
-    probes.offsets.push_back(static_cast<std::uint32_t>(probes.points.size()));
-  }
-  probes.functions.setZero(static_cast<Eigen::Index>(probes.points.size()), functions.cols());
+  CellProbes probes{thinnedMembers(members, most_per_cell), {}};
+  const std::vector<Index>& points = probes.members.points;
+  probes.functions.setZero(static_cast<Eigen::Index>(points.size()), functions.cols());
   parallelFor(
-      probes.points.size(), threads,
+      points.size(), threads,
       [&](std::size_t p) {
         auto row = probes.functions.row(static_cast<Eigen::Index>(p));
-        const Index point = probes.points[p];
+        const Index point = points[p];
         for (std::uint32_t e = interpolation.offsets[point]; e < interpolation.offsets[point + 1]; ++e) {
           row += interpolation.weights[e] * functions.row(interpolation.samples[e]);
         }
@@ -63,26 +56,29 @@ probeCells(const SampleInterpolation& interpolation,
   return probes;
 }
 
-/** Point of the given cells that is nearest to a position. */
+/** The point nearest to a position: the nearest member of the given cells, and from there on over the surface. */
 Index
-nearestPoint(const std::vector<Vector3>& points,
+nearestPoint(const PreparedSurface& surface,
              const CellMembers& members,
              const std::vector<Index>& cells,
              const Vector3& position)
 {
+  const auto cost = [&](Index v) {
+    const Vector3 offset = surface.points[v] - position;
+    return dot(offset, offset);
+  };
   Index best = no_index;
   float least = std::numeric_limits<float>::infinity();
   for (const Index cell : cells) {
     for (std::uint32_t e = members.offsets[cell]; e < members.offsets[cell + 1]; ++e) {
-      const Vector3 offset = points[members.points[e]] - position;
-      const float squared = dot(offset, offset);
+      const float squared = cost(members.points[e]);
       if (squared < least) {
         least = squared;
         best = members.points[e];
       }
     }
   }
-  return best;
+  return walkDown(surface.graph, best, cost);
 }
 
 } // namespace
@@ -104,6 +100,22 @@ membersOfCells(const CoarseSurface& coarse)
   return members;
 }
 
+CellMembers
+thinnedMembers(const CellMembers& members, std::uint32_t most_per_cell)
+{
+  CellMembers thinned;
+  thinned.offsets.push_back(0);
+  for (std::size_t cell = 0; cell + 1 < members.offsets.size(); ++cell) {
+    const std::uint32_t size = members.offsets[cell + 1] - members.offsets[cell];
+    const std::uint32_t step = std::max(1U, (size + most_per_cell - 1) / most_per_cell);
+    for (std::uint32_t e = members.offsets[cell]; e < members.offsets[cell + 1]; e += step) {
+      thinned.points.push_back(members.points[e]);
+    }
+    thinned.offsets.push_back(static_cast<std::uint32_t>(thinned.points.size()));
+  }
+  return thinned;
+}
+
 std::vector<Index>
 partnersOfSamples(const CoarseSurface& coarse,
                   const LaplacianBasis& basis,
@@ -122,11 +134,11 @@ partnersOfSamples(const CoarseSurface& coarse,
       [&](std::size_t i) {
         float least = std::numeric_limits<float>::infinity();
         for (const Index cell : cellAndNeighbours(coarse.graph, map[i])) {
-          for (std::uint32_t p = probes.offsets[cell]; p < probes.offsets[cell + 1]; ++p) {
+          for (std::uint32_t p = probes.members.offsets[cell]; p < probes.members.offsets[cell + 1]; ++p) {
             const float squared = (probes.functions.row(p) - wanted.row(static_cast<Eigen::Index>(i))).squaredNorm();
             if (squared < least) {
               least = squared;
-              partners[i] = probes.points[p];
+              partners[i] = probes.members.points[p];
             }
           }
         }
@@ -149,7 +161,7 @@ mutualPartners(const PreparedSurface& surface,
         coarse.size(), threads,
         [&](std::size_t i) {
           const Index home = coarse.cells.owner[sample_partners[i]];
-          sample_partners[i] = nearestPoint(surface.points, members, cellAndNeighbours(coarse.graph, home),
+          sample_partners[i] = nearestPoint(surface, members, cellAndNeighbours(coarse.graph, home),
                                             matches.imageOf(coarse.cells.vertices[i]));
         },
         64);
@@ -170,7 +182,7 @@ partnersOfPoints(const PreparedSurface& surface,
       surface.size(), threads,
       [&](std::size_t v) {
         const Index home = coarse.cells.owner[sample_partners[coarse.cells.owner[v]]];
-        partners[v] = nearestPoint(surface.points, members, cellAndNeighbours(coarse.graph, home),
+        partners[v] = nearestPoint(surface, members, cellAndNeighbours(coarse.graph, home),
                                    matches.imageOf(static_cast<Index>(v)));
       },
       256);

@@ -30,6 +30,7 @@ struct SurfaceModel {
 struct PointTransfer {
   SampleInterpolation interpolation;
   CellMembers members;
+  CellMembers probes; ///< some of them
 };
 
 /** Votes of the ordered pairs at every sample, carried over to the points and made antisymmetric under the map. */
@@ -119,7 +120,7 @@ appendAlternatives(const PreparedSurface& surface,
     const SampleEstimate samples = refinement.refine(candidates[i]);
     AlternativeMap alternative;
     alternative.partners =
-        partnersOfPoints(surface, model.coarse, transfer.members, samples.partners, parameters.threads);
+        partnersOfPoints(surface, model.coarse, transfer.probes, samples.partners, parameters.threads);
     alternative.score = candidates[i].score.value;
     alternative.confidence = reflectionConfidence(candidates[i].score);
     alternative.reverses_orientation = candidates[i].score.reversal >= 0.5F;
@@ -202,8 +203,9 @@ estimateRobust(const PreparedSurface& surface,
     return estimate;
   }
   timer.start("matching", 0.7);
-  const PointTransfer transfer{interpolateFromSamples(surface, model.coarse, parameters.threads),
-                               membersOfCells(model.coarse)};
+  PointTransfer transfer{
+      interpolateFromSamples(surface, model.coarse, parameters.threads), membersOfCells(model.coarse), {}};
+  transfer.probes = thinnedMembers(transfer.members, settings.refinement.probes);
   const SampleRefinement refinement(surface, model.coarse, model.basis, model.hubs, transfer.interpolation,
                                     transfer.members, settings.refinement, parameters.threads);
   const Contender contender = bestContender(refinement, candidates, settings);
@@ -225,7 +227,7 @@ estimateRobust(const PreparedSurface& surface,
 
   timer.start("dense", 0.8);
   if (!parameters.sparse_only) {
-    estimate.partners = partnersOfPoints(surface, model.coarse, transfer.members, best.partners, parameters.threads);
+    estimate.partners = partnersOfPoints(surface, model.coarse, transfer.probes, best.partners, parameters.threads);
     appendAlternatives(surface, model, transfer, refinement, candidates, parameters, estimate);
   }
   const OrderedPairs pairs = orderPairs(model.hubs, best.hub_map);

@@ -59,13 +59,14 @@ SampleRefinement::SampleRefinement(const PreparedSurface& surface,
       hubs_(hubs),
       interpolation_(interpolation),
       members_(members),
+      probes_(thinnedMembers(members, settings.probes)),
       settings_(settings),
       threads_(threads),
       guide_(describeGuide(coarse, basis, settings.guide_dimensions)),
       upward_(basis.functions, guide_, static_cast<Eigen::Index>(coarse.size()), settings.levels, settings.guidance)
 {
   for (const PatchSize& size : settings.patches) {
-    alignments_.emplace_back(surface, coarse, members, hubs.diameter, size, threads);
+    alignments_.emplace_back(surface, coarse, probes_, hubs.diameter, size, threads);
   }
 }
 
@@ -95,7 +96,7 @@ SampleRefinement::refine(const SymmetryCandidate& candidate) const
     }
     ends_are_turned = true;
   }
-  partners = mutualPartners(surface_, coarse_, members_, std::move(partners), settings_.mutual_rounds, threads_);
+  partners = mutualPartners(surface_, coarse_, probes_, std::move(partners), settings_.mutual_rounds, threads_);
   for (const Index partner : partners) {
     estimate.map.push_back(coarse_.cells.owner[partner]);
   }
