@@ -2,8 +2,8 @@
 
 #include "geodesic/parallel.h"
 #include "geodesic/shortest_paths.h"
+#include "symmetry/distinct_symmetries.h"
 #include "symmetry/hub_regions.h"
-#include "symmetry/map_asymmetry.h"
 #include "symmetry/map_confidence.h"
 #include "symmetry/pair_votes.h"
 #include "symmetry/point_map.h"
@@ -134,26 +134,34 @@ describeLimbs(const SurfaceModel& model, const SampleMap& hub_map, const Ordered
   }
 }
 
-/** Dense maps of the best candidates, as many as were asked for. */
+/** Dense maps of the symmetries among the candidates, as many as were asked for. */
 void
 appendAlternatives(const PreparedSurface& surface,
                    const SurfaceModel& model,
+                   const ShapeDescriptor& descriptor,
                    const PointTransfer& transfer,
                    const std::vector<SymmetryCandidate>& candidates,
                    const SymmetryParameters& parameters,
                    const RobustSettings& settings,
                    MapEstimate& estimate)
 {
-  const std::size_t count = std::min(candidates.size(), static_cast<std::size_t>(parameters.alternatives));
-  for (std::size_t i = 0; count > 1 && i < count; ++i) {
-    const SampleEstimate samples = refineOnAllSamples(model, transfer, candidates[i], settings, parameters.threads);
-    AlternativeMap alternative;
-    alternative.partners = partnersOfPoints(surface, model.coarse, transfer.interpolation, transfer.members,
-                                            samples.partners, parameters.threads);
-    alternative.score = candidates[i].score.value;
-    alternative.confidence = reflectionConfidence(candidates[i].score);
-    alternative.reverses_orientation = candidates[i].score.reversal >= 0.5F;
-    estimate.alternatives.push_back(std::move(alternative));
+  if (parameters.alternatives <= 1) {
+    return;
+  }
+  const DistinctSymmetries distinct = distinctSymmetries(model.hubs, descriptor, candidates, settings.search,
+                                                         static_cast<std::size_t>(parameters.alternatives));
+  for (const DistinctReflection& reflection : distinct.reflections) {
+    const SampleEstimate samples =
+        refineOnAllSamples(model, transfer, reflection.candidate, settings, parameters.threads);
+    estimate.alternatives.push_back({partnersOfPoints(surface, model.coarse, transfer.interpolation, transfer.members,
+                                                      samples.partners, parameters.threads),
+                                     reflection.candidate.score.value, reflection.confidence, true});
+  }
+  for (const DistinctRotation& rotation : distinct.rotations) {
+    const std::vector<Index>& second = estimate.alternatives[rotation.second].partners;
+    std::vector<Index> images = estimate.alternatives[rotation.first].partners;
+    std::transform(images.begin(), images.end(), images.begin(), [&](Index image) { return second[image]; });
+    estimate.rotations.push_back({std::move(images), rotation.score.value, rotation.confidence, false});
   }
 }
 
@@ -207,15 +215,19 @@ estimateRobust(const PreparedSurface& surface,
     return estimate;
   }
   const SymmetryCandidate& best = candidates[0];
-  const float asymmetry_of_best = asymmetry(findAsymmetry(model.hubs, best.map), best.score.curvature);
-  estimate.confidence = reflectionConfidence(best.score) * symmetryConfidence(asymmetry_of_best);
+  const ShapeDescriptor descriptor =
+      describeShape(model.coarse, model.basis, settings.search.dimensions, settings.search.descriptor);
+  const float confidence = mapConfidence(best.score, findAsymmetry(model.hubs, descriptor.curvature, best.map),
+                                         surface.summary.smoothing_radius > 0.0F);
+  estimate.confidence = confidence_of_refused * confidence;
   if (!isReflection(best.score)) {
     return estimate;
   }
-  if (isAsymmetric(asymmetry_of_best)) {
+  if (confidence < least_map_confidence) {
     estimate.message = "the best reflection of the surface fails in one place: one side has what the other lacks";
     return estimate;
   }
+  estimate.confidence = confidence;
   estimate.status = SymmetryStatus::Symmetric;
   estimate.message.clear();
 
@@ -227,7 +239,7 @@ estimateRobust(const PreparedSurface& surface,
   if (!parameters.sparse_only) {
     estimate.partners = partnersOfPoints(surface, model.coarse, transfer.interpolation, transfer.members,
                                          samples.partners, parameters.threads);
-    appendAlternatives(surface, model, transfer, candidates, parameters, settings, estimate);
+    appendAlternatives(surface, model, descriptor, transfer, candidates, parameters, settings, estimate);
   }
   const OrderedPairs pairs = orderPairs(model.hubs, best.map);
   estimate.side_function = pointSides(model, pairs, transfer.interpolation, estimate.partners, parameters.threads);
