@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "symmetry/map_asymmetry.h"
 #include "symmetry/map_score.h"
 #include "symmetry/sample_interpolation.h"
 
@@ -11,21 +12,35 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief Confidence of a whole map in [0, 1]: a logistic function of its score. */
+/** \brief How likely a map is by its score alone: a logistic function of it, in [0, 1]. */
 float
-reflectionConfidence(const MapScore& score);
+scoreConfidence(const MapScore& score);
 
 /** \brief Whether a map is good enough to be called a reflective symmetry. */
 bool
 isReflection(const MapScore& score);
 
-/** \brief Share of the confidence of a map that its asymmetry leaves: a logistic function of asymmetry (). */
-float
-symmetryConfidence(float asymmetry);
-
-/** \brief Whether one side of the surface has too much that the other lacks. */
+/** \brief Whether a map, scored by scoreRotation (), is good enough to be called a symmetry that keeps the orientation.
+ */
 bool
-isAsymmetric(float asymmetry);
+isRotation(const MapScore& score);
+
+/** \brief Confidence of a whole map in [0, 1]: how likely it is a right map of a symmetric surface.
+ *
+ * A logistic function of the logarithms of the signs of asymmetry and of the share of the surface that stands still: an
+ * odd limb is mapped to itself. Its weights were fitted to generated bodies, symmetric and not, posed and warped, as
+ * meshes and clouds.
+ * \param[in] is_noisy the surface is that of a cloud which had to be smoothed: part of the stretch is noise
+ */
+float
+mapConfidence(const MapScore& score, const AsymmetrySigns& signs, bool is_noisy = false);
+
+/** \brief A reflection of lower confidence is none: one side has what the other lacks. */
+constexpr float least_map_confidence = 0.05F;
+
+/** \brief Share of the confidence that is left to a map that is not handed out: what spoke against it counts as well.
+ */
+constexpr float confidence_of_refused = 0.1F;
 
 /** \brief Confidence of every point: that of the map, lowered where distances to other samples change.
  *

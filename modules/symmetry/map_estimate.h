@@ -22,7 +22,8 @@ struct MapEstimate {
   std::vector<Region> regions;
   std::vector<SymmetricMatch> matches;
   std::vector<Index> extremities;
-  std::vector<AlternativeMap> alternatives;
+  std::vector<AlternativeMap> alternatives; ///< reflections
+  std::vector<AlternativeMap> rotations;
   float diameter = 0.0F; ///< largest landmark distance, in the unit of the prepared surface
 };
 

@@ -11,6 +11,10 @@
 namespace pcl {
 namespace symmetry {
 
+/** \brief The hubs nearest to each hub, nearest first, without itself; ties go to the lower hub. */
+std::vector<std::vector<Index>>
+nearestHubs(const HubSurface& hubs, std::size_t count);
+
 /** \brief How far a map turns the surface over around every hub: from -1 (nowhere, as a rotation) to 1 (everywhere).
  *
  * Mean over the triangles within two steps of the hub, by area; an image counts by its own area, at most by that of the
@@ -28,6 +32,11 @@ stretchAtHubs(const HubSurface& hubs, const SampleMap& map);
  * a part that the other lacks, what is gained nearby is lost in distances to all others or in the involution. */
 SampleMap
 relaxedMap(const HubSurface& hubs, const SampleMap& map);
+
+/** \brief Moves the image of every hub, in turn, to where its distances to the hubs around it and to a few hubs all
+ * over the surface come out best, \a rounds times. */
+SampleMap
+settledMap(const HubSurface& hubs, SampleMap map, int rounds);
 
 /** \brief Derives a map anew wherever it keeps the orientation.
  *

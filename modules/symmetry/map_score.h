@@ -11,13 +11,14 @@ namespace symmetry {
 
 /** \brief Measures of a map m, lengths as shares of the diameter; the lower \a value the better. */
 struct MapScore {
-  float isometry = 1.0F;     ///< mean |d (i, j) - d (m (i), m (j))|
-  float involution = 1.0F;   ///< mean d (i, m (m (i)))
-  float displacement = 0.0F; ///< mean d (i, m (i))
-  float fixed = 1.0F;        ///< share of hubs that move less than 6 %
-  float reversal = 0.0F;     ///< share of the area that is turned over: near 1 for a reflection, 0 for a rotation
-  float curvature = 2.0F;    ///< mean squared difference of the standardized curvatures of a hub and its partner
-  float distorted = 1.0F;    ///< share of hubs whose distances to the others change by more than 8 % on average
+  float isometry = 1.0F;      ///< mean |d (i, j) - d (m (i), m (j))|
+  float involution = 1.0F;    ///< mean d (i, m (m (i)))
+  float displacement = 0.0F;  ///< mean d (i, m (i))
+  float nearest_image = 1.0F; ///< d (i, m (i)) of the 2 % that move least: near 0 where the map has an axis
+  float fixed = 1.0F;         ///< share of hubs that move less than 6 %
+  float reversal = 0.0F;      ///< share of the area that is turned over: near 1 for a reflection, 0 for a rotation
+  float curvature = 2.0F;     ///< mean squared difference of the standardized curvatures of a hub and its partner
+  float distorted = 1.0F;     ///< share of hubs whose distances to the others change by more than 8 % on average
   float value = 1e9F;
 };
 
@@ -37,6 +38,17 @@ scoreMap(const HubSurface& hubs,
          const SampleMap& map,
          std::size_t queries,
          const ScoreWeights& weights);
+
+/** \brief As scoreMap (), of a map that is to keep the orientation: a rotation.
+ *
+ * A rotation need not be its own inverse: \a involution is the mean d (i, inverse (m (i))), and a large \a reversal
+ * counts against it. */
+MapScore
+scoreRotation(const HubSurface& hubs,
+              const ShapeDescriptor& descriptor,
+              const SampleMap& map,
+              const SampleMap& inverse,
+              const ScoreWeights& weights);
 
 /** \brief Mean distance between the images of two maps, share of the diameter. */
 float

@@ -78,14 +78,17 @@ TEST_F(Report, NamesAllParameters)
   EXPECT_EQ(written, expected);
 }
 
-TEST_F(Report, ListsAlternativesWhereThereAreSeveral)
+TEST_F(Report, ListsAlternativesAndRotationsApartWhereThereAreSeveral)
 {
   SymmetryResult result = roofSymmetry();
-  result.alternatives = {{{}, -1.5F, 0.9F, true}, {{}, 2.0F, 0.25F, false}};
+  result.alternatives = {{{}, -1.5F, 0.9F, true}, {{}, 2.0F, 0.25F, true}};
+  result.rotations = {{{}, 1.0F, 0.5F, false}};
   writeReport(path("report.json"), "a.ply", {}, result);
-  const Json alternatives = Json::parse(readFile("report.json")).at("alternatives");
-  ASSERT_EQ(alternatives.size(), 2U);
-  EXPECT_EQ(alternatives[1], Json({{"score", 2.0}, {"confidence", 0.25}, {"reverses_orientation", false}}));
+  const Json report = Json::parse(readFile("report.json"));
+  ASSERT_EQ(report.at("alternatives").size(), 2U);
+  EXPECT_EQ(report["alternatives"][1], Json({{"score", 2.0}, {"confidence", 0.25}, {"reverses_orientation", true}}));
+  ASSERT_EQ(report.at("rotations").size(), 1U);
+  EXPECT_EQ(report["rotations"][0], Json({{"score", 1.0}, {"confidence", 0.5}, {"reverses_orientation", false}}));
 }
 
 TEST_F(Report, IsJsonWhateverTheNumbersAndNames)

@@ -1,6 +1,4 @@
 #include "support/coarse_body.h"
-#include "symmetry/map_asymmetry.h"
-#include "symmetry/map_confidence.h"
 #include "symmetry/map_repair.h"
 #include "symmetry/map_score.h"
 
@@ -116,22 +114,31 @@ TEST(RelaxedMap, HealsATear)
   EXPECT_LT(human().hubs.distances(healed[20], truth[20]), 0.05F * human().hubs.diameter);
 }
 
-TEST(Asymmetry, IsLargerWherePartOfTheMapGoesAstray)
+TEST(NearestHubs, AreTheNearestInOrderWithoutTheHubItself)
 {
-  const SampleMap truth = human().trueMap();
-  SampleMap astray = truth;
-  // One foot or hand on the other side's: as if it were missing there.
-  const Index limb = human().hubs.extremities[0] == stationaryExtremity(human(), truth) ? human().hubs.extremities[1]
-                                                                                        : human().hubs.extremities[0];
-  for (const Index hub : hubsAround(human().hubs, limb, 0.15F)) {
-    astray[hub] = truth[hubsAround(human().hubs, limb, 0.2F).back()];
+  const std::vector<std::vector<Index>> nearest = nearestHubs(human().hubs, 5);
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    const auto from = human().hubs.distances.col(static_cast<Eigen::Index>(i));
+    ASSERT_EQ(nearest[i].size(), 5U);
+    for (std::size_t k = 0; k < nearest[i].size(); ++k) {
+      EXPECT_NE(nearest[i][k], static_cast<Index>(i));
+      EXPECT_LE(k == 0 ? 0.0F : from(nearest[i][k - 1]), from(nearest[i][k]));
+    }
+    EXPECT_LE((from.array() < from(nearest[i].back())).count(), 5);
   }
-  const float good = asymmetry(findAsymmetry(human().hubs, truth), 0.3F);
-  const float bad = asymmetry(findAsymmetry(human().hubs, astray), 0.3F);
-  EXPECT_LT(good, bad);
-  EXPECT_FALSE(isAsymmetric(good));
-  EXPECT_GT(symmetryConfidence(good), symmetryConfidence(bad));
-  EXPECT_GT(asymmetry(findAsymmetry(human().hubs, truth), 0.6F), good);
+}
+
+TEST(SettledMap, BringsImagesThatAreAHubOrTwoOffCloserToTheTruth)
+{
+  const HubSurface& hubs = human().hubs;
+  const SampleMap truth = human().trueMap();
+  const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, 6);
+  SampleMap blurred = truth;
+  for (std::size_t i = 0; i < blurred.size(); ++i) {
+    blurred[i] = nearest[truth[i]][i % 6];
+  }
+  const SampleMap settled = settledMap(hubs, blurred, 3);
+  EXPECT_LT(mapDifference(hubs, settled, truth), 0.6F * mapDifference(hubs, blurred, truth));
 }
 
 } // namespace

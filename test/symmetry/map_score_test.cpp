@@ -90,7 +90,7 @@ TEST(MapScore, TheTrueMapIsBetterThanIdentityAndThanChance)
   const MapScore by_chance = scoreOf(human(), shifted);
   EXPECT_LT(true_map.value, by_chance.value);
   EXPECT_FALSE(isReflection(by_chance));
-  EXPECT_LT(reflectionConfidence(by_chance), reflectionConfidence(true_map));
+  EXPECT_LT(scoreConfidence(by_chance), scoreConfidence(true_map));
 }
 
 TEST(MapScore, AReflectionIsToldFromAHalfTurn)
@@ -108,6 +108,48 @@ TEST(MapScore, AReflectionIsToldFromAHalfTurn)
   EXPECT_LT(turn.reversal, 0.2F);
   EXPECT_LT(reflection.value, turn.value);
   EXPECT_FALSE(isReflection(turn));
+}
+
+TEST(MapScore, OfARotationCountsAReversalAgainstIt)
+{
+  const CoarseBody& body = ellipsoid();
+  const ShapeDescriptor descriptor = describeShape(body.coarse, body.basis, 8, DescriptorWeights{});
+  const auto asRotation = [&](const SampleMap& map) {
+    return scoreRotation(body.hubs, descriptor, map, map, ScoreWeights{});
+  };
+  const SampleMap turn = mapOf(body.hubs, [](const Vector3& p) -> Vector3 { return {-p[0], -p[1], p[2]}; });
+  const SampleMap reflection = mapOf(body.hubs, [](const Vector3& p) -> Vector3 { return {-p[0], p[1], p[2]}; });
+  EXPECT_TRUE(isRotation(asRotation(turn)));
+  EXPECT_FALSE(isRotation(asRotation(reflection)));
+  EXPECT_LT(asRotation(turn).value, scoreOf(body, turn).value);
+  EXPECT_GT(asRotation(reflection).value, scoreOf(body, reflection).value);
+}
+
+TEST(MapScore, OfARotationMeasuresTheWayBackByTheInverse)
+{
+  const CoarseBody& body = human();
+  const ShapeDescriptor descriptor = describeShape(body.coarse, body.basis, 8, DescriptorWeights{});
+  SampleMap shifted(250);
+  SampleMap inverse(250);
+  for (std::size_t i = 0; i < shifted.size(); ++i) {
+    shifted[i] = static_cast<Index>((i + 13) % 250);
+    inverse[shifted[i]] = static_cast<Index>(i);
+  }
+  EXPECT_EQ(scoreRotation(body.hubs, descriptor, shifted, inverse, ScoreWeights{}).involution, 0.0F);
+  EXPECT_GT(scoreRotation(body.hubs, descriptor, shifted, shifted, ScoreWeights{}).involution, 0.1F);
+}
+
+TEST(MapScore, FindsOutWhetherAMapHasAnAxis)
+{
+  const CoarseBody& body = ellipsoid();
+  const MapScore reflection = scoreOf(body, mapOf(body.hubs, [](const Vector3& p) -> Vector3 {
+                                        return {-p[0], p[1], p[2]};
+                                      }));
+  const MapScore in_a_point = scoreOf(body, mapOf(body.hubs, [](const Vector3& p) -> Vector3 {
+                                        return {-p[0], -p[1], -p[2]};
+                                      }));
+  EXPECT_LT(reflection.nearest_image, 0.06F);
+  EXPECT_GT(in_a_point.nearest_image, 0.3F);
 }
 
 TEST(MapScore, DoesNotDependOnTheLengthUnit)

@@ -93,11 +93,10 @@ writeAxis(const std::string& path, const Surface& surface, const SymmetryResult&
 
 /** \brief Writes the report: one JSON object.
  *
- * Keys: status, message, confidence, diameter, input, map, matches (their number), alternatives (only where there are
- * several), parameters, seconds (steps in order, and their sum as total), version. A number that is not finite is null.
- * \param[in] path file to write
- * \param[in] input_file name of the input as it is to appear in the report; what is not UTF-8 is replaced
- * \param[in] parameters all that were in force
+ * Keys: status, message, confidence, diameter, input, map, matches (their number), alternatives and rotations (only
+ * where there are several reflections; see SymmetryResult), parameters, seconds (steps in order, and their sum as
+ * total), version. A number that is not finite is null. \param[in] path file to write \param[in] input_file name of the
+ * input as it is to appear in the report; what is not UTF-8 is replaced \param[in] parameters all that were in force
  * \param[in] result what was found, with the seconds per step
  * \throws pcl::IOException cannot be written
  * \ingroup symmetry

@@ -60,7 +60,7 @@ struct SymmetryParameters {
   PairingFeature pairing = PairingFeature::AverageGeodesicDistance;
   /** Leave out the dense map, and with it sides and axis of every point that is no sample. */
   bool sparse_only = false;
-  /** How many distinct maps the result lists at most, the best first, [1, 100]. */
+  /** How many distinct reflections, and rotations beside them, the result lists at most, the best first, [1, 100]. */
   int alternatives = 1;
 
   /** Worker threads, 0: as many as the machine has cores. The result does not depend on it. */

@@ -73,12 +73,12 @@ struct MapSummary {
   float isometry_error = 0.0F; ///< mean |d (p, q) - d (m (p), m (q))| over pairs of landmarks, share of the diameter
 };
 
-/** \brief A further map that explains the surface nearly as well. */
+/** \brief One of several symmetries of a surface. */
 struct AlternativeMap {
-  std::vector<Index> partners;      ///< as SymmetryResult::partners
+  std::vector<Index> partners;      ///< as SymmetryResult::partners; a rotation need not be its own inverse
   float score = 0.0F;               ///< lower is better
   float confidence = 0.0F;          ///< in [0, 1]
-  bool reverses_orientation = true; ///< true: a reflection; false: a rotation
+  bool reverses_orientation = true; ///< true: a reflection, false: a rotation
 };
 
 /** \brief The result of one estimation.
@@ -100,7 +100,8 @@ struct SymmetryResult {
   std::vector<Region> regions;
   std::vector<Polyline> axis; ///< the symmetry axis curve, longest part first
   std::vector<Index> extremities;
-  std::vector<AlternativeMap> alternatives; ///< on request; the first is the map above
+  std::vector<AlternativeMap> alternatives; ///< on request: the reflections, best first; the first is the map above
+  std::vector<AlternativeMap> rotations;    ///< on request: maps that keep the orientation, best first
 
   float diameter = 0.0F; ///< largest landmark distance, in the unit of the points
   InputSummary input;

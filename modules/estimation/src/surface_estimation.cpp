@@ -105,9 +105,11 @@ expandSelection(SymmetryResult& result, const Surface& surface, const std::vecto
   for (Polyline& line : result.axis) {
     renumber(line.points, selection);
   }
-  for (AlternativeMap& alternative : result.alternatives) {
-    renumber(alternative.partners, selection);
-    scatter(alternative.partners, selection, size, no_index);
+  for (std::vector<AlternativeMap>* maps : {&result.alternatives, &result.rotations}) {
+    for (AlternativeMap& map : *maps) {
+      renumber(map.partners, selection);
+      scatter(map.partners, selection, size, no_index);
+    }
   }
   result.input.points = size;
   result.input.faces = surface.triangles.size();

@@ -152,8 +152,10 @@ writeReport(const std::string& path,
                  {"input", describeInput(input_file, result.input)},
                  {"map", describeMap(result)},
                  {"matches", result.matches.size()}};
-  if (result.alternatives.size() > 1)
+  if (result.alternatives.size() > 1) {
     report["alternatives"] = describeAlternatives(result.alternatives);
+    report["rotations"] = describeAlternatives(result.rotations);
+  }
   report["parameters"] = describeParameters(parameters);
   report["seconds"] = describeSeconds(result.seconds);
   report["version"] = PCL_SYMMETRY_VERSION;

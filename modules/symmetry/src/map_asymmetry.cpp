@@ -23,55 +23,97 @@ quantile(std::vector<float> values, double share)
   return *place;
 }
 
-/** Mean |d (i, j) - d (m (i), m (j))| over every other hub j, for each hub i; share of the diameter. */
-std::vector<float>
-distanceChanges(const HubSurface& hubs, const SampleMap& map)
+/** Weights that fall off with the distance from every hub: column i those around hub i, exp (-(d / radius)^2).
+ * \param[in] radius share of the diameter */
+Eigen::MatrixXf
+windows(const HubSurface& hubs, float radius)
 {
-  constexpr std::size_t step = 2;
-  std::vector<float> changes(hubs.size());
-  for (std::size_t i = 0; i < hubs.size(); ++i) {
-    const float* from = hubs.distances.col(static_cast<Eigen::Index>(i)).data();
-    const float* to = hubs.distances.col(map[i]).data();
-    float sum = 0.0F;
-    std::size_t count = 0;
-    for (std::size_t j = 0; j < hubs.size(); j += step, ++count) {
-      sum += std::abs(from[j] - to[map[j]]);
+  const float scale = 1.0F / (radius * hubs.diameter);
+  return (-(hubs.distances.array() * scale).square()).unaryExpr([](float x) { return std::exp(x); }).matrix();
+}
+
+/** Every column replaced by the mean of the columns of the nearest hubs. */
+Eigen::MatrixXf
+averagedColumns(const Eigen::MatrixXf& matrix, const std::vector<std::vector<Index>>& nearest)
+{
+  Eigen::MatrixXf mean = matrix;
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    auto column = mean.col(static_cast<Eigen::Index>(i));
+    for (const Index j : nearest[i]) {
+      column += matrix.col(j);
     }
-    changes[i] = sum / (static_cast<float>(count) * hubs.diameter);
+    column /= static_cast<float>(nearest[i].size() + 1);
   }
-  return changes;
+  return mean;
+}
+
+/** Around every hub, by how much the map changes distances to it, as a share of those distances. The changes are
+ * averaged over the hubs next to both ends first: a map can only send hubs to hubs, which are some way apart. */
+std::vector<float>
+stretchAround(const HubSurface& hubs, const SampleMap& map)
+{
+  constexpr std::size_t next = 6;
+  constexpr float radius = 0.2F;
+  const auto count = static_cast<Eigen::Index>(hubs.size());
+  Eigen::MatrixXf change(count, count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const auto from_image = hubs.distances.col(map[static_cast<std::size_t>(j)]);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      change(i, j) = hubs.distances(i, j) - from_image(map[static_cast<std::size_t>(i)]);
+    }
+  }
+  const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, next);
+  change = averagedColumns(averagedColumns(change, nearest).transpose(), nearest).cwiseAbs();
+  const Eigen::MatrixXf window = windows(hubs, radius);
+  std::vector<float> stretch;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    stretch.push_back(window.col(i).dot(change.col(i)) / window.col(i).dot(hubs.distances.col(i)));
+  }
+  return stretch;
 }
 
 std::vector<float>
-returnErrors(const HubSurface& hubs, const SampleMap& map)
+curvatureChangeAround(const HubSurface& hubs, const Eigen::MatrixXf& curvature, const SampleMap& map)
 {
-  std::vector<float> errors(hubs.size());
-  for (std::size_t i = 0; i < hubs.size(); ++i) {
-    errors[i] = hubs.distances(static_cast<Eigen::Index>(i), map[static_cast<std::size_t>(map[i])]) / hubs.diameter;
+  constexpr float radius = 0.12F;
+  const auto count = static_cast<Eigen::Index>(hubs.size());
+  const float variance = curvature.topRows(count).squaredNorm() / static_cast<float>(count);
+  Eigen::VectorXf change(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    change(i) = (curvature.row(i) - curvature.row(map[static_cast<std::size_t>(i)])).squaredNorm();
   }
-  return errors;
+  const Eigen::MatrixXf window = windows(hubs, radius);
+  std::vector<float> around;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    around.push_back(variance > 0.0F ? window.col(i).dot(change) / (window.col(i).sum() * variance) : 0.0F);
+  }
+  return around;
+}
+
+float
+meanReturnError(const HubSurface& hubs, const SampleMap& map)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < hubs.size(); ++i) {
+    sum += hubs.distances(static_cast<Eigen::Index>(i), map[static_cast<std::size_t>(map[i])]);
+  }
+  return static_cast<float>(sum / static_cast<double>(hubs.size())) / hubs.diameter;
 }
 
 } // namespace
 
 AsymmetrySigns
-findAsymmetry(const HubSurface& hubs, const SampleMap& map)
+findAsymmetry(const HubSurface& hubs, const Eigen::MatrixXf& curvature, const SampleMap& map)
 {
-  constexpr double worst = 0.99;
+  constexpr int rounds = 3;
   AsymmetrySigns signs;
-  const std::vector<float> stretch = stretchAtHubs(hubs, map);
-  signs.concentration = (quantile(stretch, worst) + tiny) / (quantile(stretch, 0.5) + tiny);
-  const SampleMap healed = relaxedMap(hubs, map);
-  signs.change = quantile(distanceChanges(hubs, healed), worst);
-  signs.involution = quantile(returnErrors(hubs, healed), worst);
+  const std::vector<float> torn = stretchAtHubs(hubs, map);
+  signs.concentration = (quantile(torn, 0.99) + tiny) / (quantile(torn, 0.5) + tiny);
+  const SampleMap relaxed = settledMap(hubs, relaxedMap(hubs, map), rounds);
+  signs.stretch = quantile(stretchAround(hubs, relaxed), 0.97);
+  signs.involution = meanReturnError(hubs, relaxed);
+  signs.curvature = quantile(curvatureChangeAround(hubs, curvature, map), 0.5);
   return signs;
-}
-
-float
-asymmetry(const AsymmetrySigns& signs, float curvature)
-{
-  return std::log(signs.concentration) + std::log(signs.change + tiny) + 2.0F * std::log(signs.involution + tiny) +
-         1.5F * std::log(curvature + tiny);
 }
 
 } // namespace symmetry

@@ -6,8 +6,20 @@
 namespace pcl {
 namespace symmetry {
 
+namespace {
+
+bool
+isSymmetry(const MapScore& score)
+{
+  constexpr float largest_curvature = 0.9F;
+  constexpr float most_distorted = 0.25F;
+  return scoreConfidence(score) >= 0.5F && score.curvature <= largest_curvature && score.distorted <= most_distorted;
+}
+
+} // namespace
+
 float
-reflectionConfidence(const MapScore& score)
+scoreConfidence(const MapScore& score)
 {
   constexpr float even = -0.6F; // score at which right and wrong are equally likely
   constexpr float slope = 4.0F;
@@ -18,26 +30,29 @@ bool
 isReflection(const MapScore& score)
 {
   constexpr float least_reversal = 0.4F; // thin limbs hold hardly a triangle whose orientation can be told
-  constexpr float largest_curvature = 0.9F;
-  constexpr float most_distorted = 0.25F;
-  return reflectionConfidence(score) >= 0.5F && score.reversal >= least_reversal &&
-         score.curvature <= largest_curvature && score.distorted <= most_distorted;
-}
-
-float
-symmetryConfidence(float asymmetry)
-{
-  constexpr float even = -6.3F; // between the medians of wrong maps and of bodies that lack a limb
-  constexpr float slope = 1.2F;
-  return 1.0F / (1.0F + std::exp(slope * (asymmetry - even)));
+  return isSymmetry(score) && score.reversal >= least_reversal;
 }
 
 bool
-isAsymmetric(float asymmetry)
+isRotation(const MapScore& score)
 {
-  // Half of the symmetric surfaces are below -10; scans whose limbs are glued to each other come up to -4.
-  constexpr float largest = -4.0F;
-  return asymmetry > largest;
+  constexpr float most_reversal = 0.4F;
+  return isSymmetry(score) && score.reversal <= most_reversal;
+}
+
+float
+mapConfidence(const MapScore& score, const AsymmetrySigns& signs, bool is_noisy)
+{
+  constexpr float tiny = 1e-3F;
+  constexpr float little_curvature = 0.1F;
+  constexpr float largest_fixed = 0.35F; // the head, tail and trunk of an animal; more is for the score to judge
+  constexpr float by_noise = 1.65F;
+  // The involution normalises: where samples are coarse or noisy, it grows together with the stretch.
+  const float evidence = 1.0F + 3.1F * std::log(signs.involution + tiny) - 5.7F * std::log(signs.stretch + tiny) -
+                         1.7F * std::log(signs.concentration + tiny) -
+                         3.4F * std::log(signs.curvature + little_curvature) -
+                         5.0F * std::min(score.fixed, largest_fixed) + (is_noisy ? by_noise : 0.0F);
+  return 1.0F / (1.0F + std::exp(-evidence));
 }
 
 std::vector<float>

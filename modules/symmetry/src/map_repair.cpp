@@ -13,27 +13,6 @@ namespace {
 
 constexpr std::size_t placement_neighbours = 24;
 
-/** The hubs nearest to each hub, nearest first, without itself. */
-std::vector<std::vector<Index>>
-nearestHubs(const HubSurface& hubs, std::size_t count)
-{
-  std::vector<std::vector<Index>> nearest(hubs.size());
-  std::vector<Index> order(hubs.size());
-  std::iota(order.begin(), order.end(), 0);
-  for (std::size_t i = 0; i < hubs.size(); ++i) {
-    const auto from = hubs.distances.col(static_cast<Eigen::Index>(i));
-    const auto comes_before = [&](Index a, Index b) {
-      return from(a) < from(b) || (from(a) == from(b) && a < b);
-    };
-    std::vector<Index> others = order;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    const auto end = others.begin() + static_cast<std::ptrdiff_t>(std::min(count, others.size()));
-    std::partial_sort(others.begin(), end, others.end(), comes_before);
-    nearest[i].assign(others.begin(), end);
-  }
-  return nearest;
-}
-
 /** Area of a triangle of hubs, doubled, and how much of it the map turns over: all, or none (the negative). */
 struct TurnedTriangle {
   float area;
@@ -109,6 +88,17 @@ public:
     }
   }
 
+  /** Every hub has a place. */
+  LocalPlacement(const HubSurface& hubs,
+                 const std::vector<std::vector<Index>>& nearest,
+                 SampleMap map,
+                 std::size_t anchors)
+      : hubs_(hubs), nearest_(nearest), map_(std::move(map)), placed_(map_.size(), true)
+  {
+    anchors_.resize(std::min(anchors, map_.size()));
+    std::iota(anchors_.begin(), anchors_.end(), 0);
+  }
+
   SampleMap
   run()
   {
@@ -120,6 +110,23 @@ public:
     }
     // Those placed first did not know of the later ones yet.
     constexpr int rounds = 3;
+    moveImages(order, rounds);
+    return std::move(map_);
+  }
+
+  SampleMap
+  settle(int rounds)
+  {
+    std::vector<Index> order(map_.size());
+    std::iota(order.begin(), order.end(), 0);
+    moveImages(order, rounds);
+    return std::move(map_);
+  }
+
+private:
+  void
+  moveImages(const std::vector<Index>& order, int rounds)
+  {
     for (int round = 0; round < rounds; ++round) {
       for (const Index hub : order) {
         std::vector<Index> candidates = nearest_[map_[hub]];
@@ -127,10 +134,8 @@ public:
         map_[hub] = bestImage(hub, candidates);
       }
     }
-    return std::move(map_);
   }
 
-private:
   /** The hub without a place that has the most placed neighbours; none where there are no neighbours. */
   Index
   mostEnclosed() const
@@ -187,7 +192,7 @@ private:
         cost += placed_[j] ? changeOf(hub, candidate, j) : 0.0F;
       }
       for (const Index j : anchors_) {
-        cost += changeOf(hub, candidate, j);
+        cost += j != hub ? changeOf(hub, candidate, j) : 0.0F;
       }
       if (cost < least) {
         least = cost;
@@ -205,6 +210,26 @@ private:
 };
 
 } // namespace
+
+std::vector<std::vector<Index>>
+nearestHubs(const HubSurface& hubs, std::size_t count)
+{
+  std::vector<std::vector<Index>> nearest(hubs.size());
+  std::vector<Index> order(hubs.size());
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t i = 0; i < hubs.size(); ++i) {
+    const auto from = hubs.distances.col(static_cast<Eigen::Index>(i));
+    const auto comes_before = [&](Index a, Index b) {
+      return from(a) < from(b) || (from(a) == from(b) && a < b);
+    };
+    std::vector<Index> others = order;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto end = others.begin() + static_cast<std::ptrdiff_t>(std::min(count, others.size()));
+    std::partial_sort(others.begin(), end, others.end(), comes_before);
+    nearest[i].assign(others.begin(), end);
+  }
+  return nearest;
+}
 
 std::vector<float>
 reversalAtHubs(const HubSurface& hubs, const SampleMap& map)
@@ -262,6 +287,14 @@ relaxedMap(const HubSurface& hubs, const SampleMap& map)
   }
   const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, placement_neighbours);
   return LocalPlacement(hubs, nearest, torn, map).run();
+}
+
+SampleMap
+settledMap(const HubSurface& hubs, SampleMap map, int rounds)
+{
+  constexpr std::size_t anchors = 48;
+  const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, placement_neighbours);
+  return LocalPlacement(hubs, nearest, std::move(map), anchors).settle(rounds);
 }
 
 SampleMap

@@ -76,6 +76,55 @@ curvatureError(const ShapeDescriptor& descriptor, const SampleMap& map)
   return variance > 0.0F ? static_cast<float>(sum / static_cast<double>(map.size())) / variance : 0.0F;
 }
 
+/** All measures but the value. */
+MapScore
+measureMap(const HubSurface& hubs,
+           const ShapeDescriptor& descriptor,
+           const SampleMap& map,
+           const SampleMap& inverse,
+           std::size_t queries)
+{
+  MapScore score;
+  measureIsometry(hubs, map, std::min(queries, map.size()), score);
+  double involution = 0.0;
+  double displacement = 0.0;
+  std::size_t fixed = 0;
+  std::vector<float> ways;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const float moved = hubs.distances(row, map[i]) / hubs.diameter;
+    displacement += moved;
+    ways.push_back(moved);
+    fixed += moved < 0.06F ? 1U : 0U;
+    if (static_cast<std::size_t>(map[i]) < map.size()) {
+      involution += hubs.distances(row, inverse[map[i]]) / hubs.diameter;
+    }
+  }
+  const auto count = static_cast<double>(map.size());
+  score.involution = static_cast<float>(involution / count);
+  score.displacement = static_cast<float>(displacement / count);
+  score.fixed = static_cast<float>(static_cast<double>(fixed) / count);
+  const auto nearest = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 50);
+  std::nth_element(ways.begin(), nearest, ways.end());
+  score.nearest_image = *nearest;
+  score.reversal = reversedShare(hubs, map);
+  score.curvature = curvatureError(descriptor, map);
+  return score;
+}
+
+/** \param[in] oriented share of the area whose orientation comes out as it should */
+float
+valueOf(const MapScore& score, float oriented, const ScoreWeights& weights)
+{
+  constexpr float floor = 2e-3F;        // sampling noise: no map is better than this
+  constexpr float largest_fixed = 0.3F; // a reflection keeps only a curve
+  constexpr float enough = 0.3F;        // displacement of a reflection that moves most of the surface
+  return std::log(score.isometry + 0.5F * score.involution + floor) -
+         weights.displacement * std::log(std::min(score.displacement, enough) + floor) +
+         weights.reversal * (1.0F - oriented) + weights.fixed * std::max(0.0F, score.fixed - largest_fixed) +
+         weights.curvature * score.curvature;
+}
+
 } // namespace
 
 MapScore
@@ -85,34 +134,20 @@ scoreMap(const HubSurface& hubs,
          std::size_t queries,
          const ScoreWeights& weights)
 {
-  MapScore score;
-  measureIsometry(hubs, map, std::min(queries, map.size()), score);
-  double involution = 0.0;
-  double displacement = 0.0;
-  std::size_t fixed = 0;
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const float moved = hubs.distances(row, map[i]) / hubs.diameter;
-    displacement += moved;
-    fixed += moved < 0.06F ? 1U : 0U;
-    if (static_cast<std::size_t>(map[i]) < map.size()) {
-      involution += hubs.distances(row, map[map[i]]) / hubs.diameter;
-    }
-  }
-  const auto count = static_cast<double>(map.size());
-  score.involution = static_cast<float>(involution / count);
-  score.displacement = static_cast<float>(displacement / count);
-  score.fixed = static_cast<float>(static_cast<double>(fixed) / count);
-  score.reversal = reversedShare(hubs, map);
-  score.curvature = curvatureError(descriptor, map);
+  MapScore score = measureMap(hubs, descriptor, map, map, queries);
+  score.value = valueOf(score, score.reversal, weights);
+  return score;
+}
 
-  constexpr float floor = 2e-3F;        // sampling noise: no map is better than this
-  constexpr float largest_fixed = 0.3F; // a reflection keeps only a curve
-  constexpr float enough = 0.3F;        // displacement of a reflection that moves most of the surface
-  score.value = std::log(score.isometry + 0.5F * score.involution + floor) -
-                weights.displacement * std::log(std::min(score.displacement, enough) + floor) +
-                weights.reversal * (1.0F - score.reversal) +
-                weights.fixed * std::max(0.0F, score.fixed - largest_fixed) + weights.curvature * score.curvature;
+MapScore
+scoreRotation(const HubSurface& hubs,
+              const ShapeDescriptor& descriptor,
+              const SampleMap& map,
+              const SampleMap& inverse,
+              const ScoreWeights& weights)
+{
+  MapScore score = measureMap(hubs, descriptor, map, inverse, map.size());
+  score.value = valueOf(score, 1.0F - score.reversal, weights);
   return score;
 }
 

@@ -55,6 +55,13 @@ public:
     }
   }
 
+  /** No partner for any point of the input. */
+  std::vector<Index>
+  unassigned() const
+  {
+    return std::vector<Index>(representatives_.size(), no_index);
+  }
+
   std::vector<Index>
   renumbered(std::vector<Index> points) const
   {
@@ -68,6 +75,17 @@ private:
 };
 
 void
+deliverAlternatives(const std::vector<AlternativeMap>& from, const ToInput& to_input, std::vector<AlternativeMap>& to)
+{
+  to = from;
+  for (AlternativeMap& alternative : to) {
+    const std::vector<Index> partners = to_input.renumbered(std::move(alternative.partners));
+    alternative.partners = to_input.unassigned();
+    to_input.scatter(partners, alternative.partners);
+  }
+}
+
+void
 deliverMap(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
 {
   const ToInput to_input(prepared);
@@ -78,11 +96,8 @@ deliverMap(const MapEstimate& estimate, const PreparedSurface& prepared, Symmetr
   for (const SymmetricMatch& match : estimate.matches) {
     result.matches.push_back({to_input(match.source), to_input(match.target), to_input(match.midpoint), match.cost});
   }
-  for (const AlternativeMap& alternative : estimate.alternatives) {
-    result.alternatives.push_back(alternative);
-    result.alternatives.back().partners.assign(result.partners.size(), no_index);
-    to_input.scatter(to_input.renumbered(alternative.partners), result.alternatives.back().partners);
-  }
+  deliverAlternatives(estimate.alternatives, to_input, result.alternatives);
+  deliverAlternatives(estimate.rotations, to_input, result.rotations);
 }
 
 void

@@ -2,8 +2,8 @@
 
 #include "geodesic/parallel.h"
 #include "geodesic/shortest_paths.h"
+#include "symmetry/distinct_symmetries.h"
 #include "symmetry/hub_regions.h"
-#include "symmetry/map_asymmetry.h"
 #include "symmetry/map_confidence.h"
 #include "symmetry/pair_votes.h"
 #include "symmetry/point_map.h"
@@ -105,26 +105,34 @@ describeLimbs(const SurfaceModel& model, const SampleMap& hub_map, const Ordered
   }
 }
 
-/** Dense maps of the best candidates, as many as were asked for. */
+/** Dense maps of the symmetries among the candidates, as many as were asked for. */
 void
 appendAlternatives(const PreparedSurface& surface,
                    const SurfaceModel& model,
+                   const ShapeDescriptor& descriptor,
                    const PointTransfer& transfer,
                    const SampleRefinement& refinement,
                    const std::vector<SymmetryCandidate>& candidates,
                    const SymmetryParameters& parameters,
+                   const RobustSettings& settings,
                    MapEstimate& estimate)
 {
-  const std::size_t count = std::min(candidates.size(), static_cast<std::size_t>(parameters.alternatives));
-  for (std::size_t i = 0; count > 1 && i < count; ++i) {
-    const SampleEstimate samples = refinement.refine(candidates[i]);
-    AlternativeMap alternative;
-    alternative.partners =
-        partnersOfPoints(surface, model.coarse, transfer.probes, samples.partners, parameters.threads);
-    alternative.score = candidates[i].score.value;
-    alternative.confidence = reflectionConfidence(candidates[i].score);
-    alternative.reverses_orientation = candidates[i].score.reversal >= 0.5F;
-    estimate.alternatives.push_back(std::move(alternative));
+  if (parameters.alternatives <= 1) {
+    return;
+  }
+  const DistinctSymmetries distinct = distinctSymmetries(model.hubs, descriptor, candidates, settings.search,
+                                                         static_cast<std::size_t>(parameters.alternatives));
+  for (const DistinctReflection& reflection : distinct.reflections) {
+    const SampleEstimate samples = refinement.refine(reflection.candidate);
+    estimate.alternatives.push_back(
+        {partnersOfPoints(surface, model.coarse, transfer.probes, samples.partners, parameters.threads),
+         reflection.candidate.score.value, reflection.confidence, true});
+  }
+  for (const DistinctRotation& rotation : distinct.rotations) {
+    const std::vector<Index>& second = estimate.alternatives[rotation.second].partners;
+    std::vector<Index> images = estimate.alternatives[rotation.first].partners;
+    std::transform(images.begin(), images.end(), images.begin(), [&](Index image) { return second[image]; });
+    estimate.rotations.push_back({std::move(images), rotation.score.value, rotation.confidence, false});
   }
 }
 
@@ -210,25 +218,28 @@ estimateRobust(const PreparedSurface& surface,
                                     transfer.members, settings.refinement, parameters.threads);
   const Contender contender = bestContender(refinement, candidates, settings);
   const SampleEstimate& best = contender.samples;
-  // Refinement can only hide signs of asymmetry, as it can only improve the score of what is symmetric.
-  const float asymmetry_of_best =
-      asymmetry(findAsymmetry(model.hubs, contender.candidate->map), contender.candidate->score.curvature);
   const MapScore& score = best.score.value < contender.candidate->score.value ? best.score : contender.candidate->score;
-  estimate.confidence = reflectionConfidence(score) * symmetryConfidence(asymmetry_of_best);
+  const ShapeDescriptor descriptor =
+      describeShape(model.coarse, model.basis, settings.search.dimensions, settings.search.descriptor);
+  const float confidence =
+      mapConfidence(score, findAsymmetry(model.hubs, descriptor.curvature, contender.candidate->map),
+                    surface.summary.smoothing_radius > 0.0F);
+  estimate.confidence = confidence_of_refused * confidence;
   if (!isReflection(score)) {
     return estimate;
   }
-  if (isAsymmetric(asymmetry_of_best)) {
+  if (confidence < least_map_confidence) {
     estimate.message = "the best reflection of the surface fails in one place: one side has what the other lacks";
     return estimate;
   }
+  estimate.confidence = confidence;
   estimate.status = SymmetryStatus::Symmetric;
   estimate.message.clear();
 
   timer.start("dense", 0.8);
   if (!parameters.sparse_only) {
     estimate.partners = partnersOfPoints(surface, model.coarse, transfer.probes, best.partners, parameters.threads);
-    appendAlternatives(surface, model, transfer, refinement, candidates, parameters, estimate);
+    appendAlternatives(surface, model, descriptor, transfer, refinement, candidates, parameters, settings, estimate);
   }
   const OrderedPairs pairs = orderPairs(model.hubs, best.hub_map);
   estimate.side_function = pointSides(model, pairs, transfer.interpolation, estimate.partners, parameters.threads);

@@ -1,0 +1,113 @@
+#include "support/coarse_body.h"
+#include "symmetry/map_asymmetry.h"
+#include "symmetry/map_confidence.h"
+#include "symmetry/symmetry_search.h"
+
+#include <gtest/gtest.h>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+struct Finding {
+  MapScore score;
+  AsymmetrySigns signs;
+  float confidence = 0.0F;
+};
+
+Finding
+judge(const CoarseBody& body, const SampleMap& map)
+{
+  const ShapeDescriptor descriptor = describeShape(body.coarse, body.basis, 8, DescriptorWeights{});
+  Finding finding;
+  finding.score = scoreMap(body.hubs, descriptor, map, map.size(), ScoreWeights{});
+  finding.signs = findAsymmetry(body.hubs, descriptor.curvature, map);
+  finding.confidence = mapConfidence(finding.score, finding.signs);
+  return finding;
+}
+
+/** The best map that the search finds. */
+Finding
+judgeBest(Body kind)
+{
+  const CoarseBody body = coarseBody(kind, 1.0);
+  return judge(body, searchSymmetries(body.coarse, body.basis, body.hubs, SearchSettings{}, 2).at(0).map);
+}
+
+const CoarseBody&
+human()
+{
+  static const CoarseBody body = coarseBody(Body::Human, 1.0);
+  return body;
+}
+
+TEST(FindAsymmetry, SeesNoneInTheIdentity)
+{
+  SampleMap map(human().hubs.size());
+  std::iota(map.begin(), map.end(), 0);
+  const AsymmetrySigns signs = judge(human(), map).signs;
+  EXPECT_EQ(signs.stretch, 0.0F);
+  EXPECT_EQ(signs.involution, 0.0F);
+  EXPECT_EQ(signs.curvature, 0.0F);
+  EXPECT_EQ(signs.concentration, 1.0F);
+}
+
+TEST(FindAsymmetry, SeesMoreStretchWhereALimbIsMissingOrTooMuch)
+{
+  const float symmetric = judgeBest(Body::Human).signs.stretch;
+  EXPECT_GT(judgeBest(Body::MissingArm).signs.stretch, 1.5F * symmetric);
+  EXPECT_GT(judgeBest(Body::ThirdArm).signs.stretch, 1.5F * symmetric);
+}
+
+TEST(FindAsymmetry, DoesNotCountATearThatRelaxationHeals)
+{
+  SampleMap torn = human().trueMap();
+  const AsymmetrySigns whole = judge(human(), torn).signs;
+  Eigen::Index far = 0;
+  human().hubs.distances.col(torn[20]).maxCoeff(&far);
+  torn[20] = static_cast<Index>(far);
+  const AsymmetrySigns signs = judge(human(), torn).signs;
+  EXPECT_NEAR(signs.stretch, whole.stretch, 0.1F * whole.stretch);
+  EXPECT_GT(signs.concentration, whole.concentration);
+}
+
+TEST(FindAsymmetry, DoesNotDependOnTheLengthUnit)
+{
+  CoarseBody larger = human();
+  larger.hubs.distances *= 4.0F;
+  larger.hubs.diameter *= 4.0F;
+  const AsymmetrySigns small = judge(human(), human().trueMap()).signs;
+  const AsymmetrySigns large = judge(larger, human().trueMap()).signs;
+  EXPECT_NEAR(large.stretch, small.stretch, 1e-4F);
+  EXPECT_NEAR(large.involution, small.involution, 1e-5F);
+  EXPECT_NEAR(large.concentration, small.concentration, 1e-3F);
+}
+
+TEST(MapConfidence, IsHighOnSymmetricBodiesAndLowWhereALimbIsMissingOrTooMuch)
+{
+  for (const Body kind : {Body::Human, Body::Quadruped, Body::Bird}) {
+    EXPECT_GT(judgeBest(kind).confidence, 0.7F) << toString(kind);
+  }
+  for (const Body kind : {Body::MissingArm, Body::ThirdArm, Body::Hand, Body::Helix}) {
+    EXPECT_LT(judgeBest(kind).confidence, 0.3F) << toString(kind);
+  }
+}
+
+TEST(MapConfidence, FallsWithEverySignOfAsymmetryAndWithWhatStandsStill)
+{
+  Finding finding = judge(human(), human().trueMap());
+  const auto changed = [&](float AsymmetrySigns::*sign) {
+    AsymmetrySigns signs = finding.signs;
+    signs.*sign *= 1.5F;
+    return mapConfidence(finding.score, signs);
+  };
+  EXPECT_LT(changed(&AsymmetrySigns::stretch), finding.confidence);
+  EXPECT_LT(changed(&AsymmetrySigns::concentration), finding.confidence);
+  EXPECT_LT(changed(&AsymmetrySigns::curvature), finding.confidence);
+  EXPECT_GT(mapConfidence(finding.score, finding.signs, true), finding.confidence);
+  finding.score.fixed += 0.1F;
+  EXPECT_LT(mapConfidence(finding.score, finding.signs), finding.confidence);
+}
+
+} // namespace
