@@ -23,9 +23,11 @@ struct WorkingCloud {
  *
  * Outliers are points much farther from their neighbours than these are from theirs (a simple local outlier factor, M.
  * Breunig et al., 2000), so that uneven density is none. A cloud is thick where, at the distance of its neighbours, it
- * fills space instead of a plane; then points are moved onto planes fitted to all points within a larger radius: the
- * one at which most neighbourhoods are flattest (moving least squares of order 1). Thick and large clouds are thinned
- * out to an even spacing. A cloud so coarse that its neighbourhoods are as large as limbs is left as it is.
+ * fills space instead of a plane; then points are moved onto planes fitted to the points within a larger radius, about
+ * the one at which most neighbourhoods are flattest. Only points on the same sheet of the surface take part (robust
+ * moving least squares), so that the two sides of a thin part and two parts in contact stay apart as long as the noise
+ * leaves a gap between them. Thick and large clouds are thinned out to an even spacing. A cloud so coarse that its
+ * neighbourhoods are as large as limbs is left as it is.
  * \param[in] points all finite, at unit scale
  * \param[in] lists their nearest neighbours
  * \param[in] most how many working points there may be at most */

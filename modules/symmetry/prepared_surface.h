@@ -41,11 +41,26 @@ struct PreparedSurface {
   }
 };
 
-/** \brief Drops what cannot be used, normalises the rest and builds its graph.
+/** \brief What does not depend on how the contacts of a cloud are read. */
+struct UsablePoints {
+  PreparedSurface surface;   ///< without graph; of a cloud also without triangles, and with given normals only
+  NeighbourLists neighbours; ///< of a cloud
+};
+
+/** \brief Drops what cannot be used and normalises the rest; goes over to the working points of a cloud.
  * \param[in] surface the input; triangle indices must be in range
  * \param[in] search nearest-neighbour search; used for clouds only
+ */
+UsablePoints
+usablePoints(const Surface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search);
+
+/** \brief Builds the graph and restricts the surface to its largest component.
  * \param[in] contact how readily edges of a cloud are taken for shortcuts
  */
+PreparedSurface
+prepareSurface(UsablePoints usable, const SymmetryParameters& parameters, const ContactTest& contact);
+
+/** \brief Both steps at once. */
 PreparedSurface
 prepareSurface(const Surface& surface,
                const SymmetryParameters& parameters,

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 using namespace pcl::symmetry;
@@ -106,7 +107,7 @@ TEST(WorkingCloud, LiesOnTheSurfaceThatNoiseHides)
   EXPECT_LT(cloud.smoothing_radius, 0.2F);  // and of less than the sphere
   EXPECT_LT(cloud.points.size(), points.size() / 2);
   EXPECT_GT(cloud.points.size(), 500U);
-  EXPECT_LT(3.0F * meanErrorOnSphere(cloud.points), meanErrorOnSphere(points));
+  EXPECT_LT(2.5F * meanErrorOnSphere(cloud.points), meanErrorOnSphere(points));
   EXPECT_LT(cloud.outliers, points.size() / 200);
   expectConsistent(cloud, points.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
@@ -154,6 +155,55 @@ TEST(WorkingCloud, OfANoisyCloudLeavesOutLooseClusters)
   }
 }
 
+TEST(WorkingCloud, OfTwoNoisySheetsStaysOnBoth)
+{
+  // The noise of either reaches to the middle between them, and neighbourhoods that tell the noise from the surface
+  // hold points of both.
+  constexpr float half_gap = 0.02F;
+  std::mt19937 random(13);
+  std::vector<Vector3> sheets;
+  for (int i = 0; i < 30000; ++i) {
+    sheets.push_back({evenly(random, -0.5F, 0.5F), evenly(random, -0.5F, 0.5F), i % 2 == 0 ? half_gap : -half_gap});
+  }
+  const WorkingCloud cloud = workingCloud(noisy(sheets, 0.006F, 14));
+  ASSERT_GT(cloud.smoothing_radius, 2.0F * half_gap);
+  std::size_t off = 0;
+  std::size_t above = 0;
+  for (const Vector3& p : cloud.points) {
+    off += std::abs(std::abs(p[2]) - half_gap) > 0.5F * half_gap ? 1U : 0U;
+    above += p[2] > 0.0F ? 1U : 0U;
+  }
+  EXPECT_LT(off, cloud.points.size() / 50);
+  EXPECT_GT(above, cloud.points.size() / 3);
+  EXPECT_LT(above, 2 * cloud.points.size() / 3);
+  expectConsistent(cloud, sheets.size());
+}
+
+TEST(WorkingCloud, IsSmoothInSparsePartsOfADenseCloud)
+{
+  // What is enough of the dense part for a plane is not of the sparse part.
+  std::vector<Vector3> clean = sphereCloud(60000, sphere_radius);
+  clean.erase(std::remove_if(clean.begin(), clean.end(), [](const Vector3& p) { return p[0] <= 0.0F; }), clean.end());
+  for (const Vector3& p : sphereCloud(4000, sphere_radius)) {
+    if (p[0] <= 0.0F) {
+      clean.push_back(p);
+    }
+  }
+  const std::vector<Vector3> points = noisy(clean, 0.008F, 15);
+  const WorkingCloud cloud = workingCloud(points);
+  ASSERT_GT(cloud.smoothing_radius, 0.0F);
+  std::vector<Vector3> before;
+  std::vector<Vector3> after;
+  for (std::size_t w = 0; w < cloud.points.size(); ++w) {
+    if (cloud.points[w][0] < -0.1F) {
+      before.push_back(points[cloud.original[w]]);
+      after.push_back(cloud.points[w]);
+    }
+  }
+  ASSERT_GT(after.size(), 200U);
+  EXPECT_LT(2.0F * meanErrorOnSphere(after), meanErrorOnSphere(before));
+}
+
 TEST(WorkingCloud, IsNoLargerThanAskedFor)
 {
   const std::vector<Vector3> points = sphereCloud(12000, sphere_radius);
@@ -184,7 +234,7 @@ TEST(WorkingCloud, OfANoisyCloudIsNoLargerThanAskedFor)
   const WorkingCloud cloud = workingCloud(points, 600);
   EXPECT_LE(cloud.points.size(), 600U);
   EXPECT_GT(cloud.points.size(), 150U);
-  EXPECT_LT(3.0F * meanErrorOnSphere(cloud.points), meanErrorOnSphere(points));
+  EXPECT_LT(2.5F * meanErrorOnSphere(cloud.points), meanErrorOnSphere(points));
   expectConsistent(cloud, points.size());
 }
 

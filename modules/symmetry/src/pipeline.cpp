@@ -162,10 +162,14 @@ bestReading(const Surface& surface,
   constexpr float beyond_doubt = 0.9F;
   Reading best;
   bool is_first = true;
+  timer.start("graph", 0.0);
+  const UsablePoints usable = usablePoints(surface, parameters, search);
   for (const ContactTest& contact : contactTests(surface, parameters)) {
-    timer.start("graph", 0.0);
+    if (!is_first) {
+      timer.start("graph", 0.0);
+    }
     Reading reading;
-    reading.surface = prepareSurface(surface, parameters, search, contact);
+    reading.surface = prepareSurface(usable, parameters, contact);
     summary = reading.surface.summary;
     reading.estimate = estimateMap(reading.surface, parameters, timer);
     if (is_first || isBetter(reading.estimate, best.estimate)) {

@@ -143,15 +143,11 @@ reduceCloud(PreparedSurface& surface, const SymmetryParameters& parameters, cons
 /** Graph, normals and triangles of a cloud, which has none of them. */
 void
 reconstructCloud(PreparedSurface& surface,
+                 const NeighbourLists& neighbours,
                  const SymmetryParameters& parameters,
-                 const NeighbourSearch& search,
                  const ContactTest& contact)
 {
-  if (parameters.normals == NormalSource::Estimate) {
-    surface.normals.clear();
-  }
-  const NeighbourLists lists = reduceCloud(surface, parameters, search);
-  CloudSurface cloud = buildCloudSurface(surface.points, lists, surface.normals, parameters.radius * surface.scale,
+  CloudSurface cloud = buildCloudSurface(surface.points, neighbours, surface.normals, parameters.radius * surface.scale,
                                          contact, parameters.threads);
   surface.graph = std::move(cloud.graph);
   surface.normals = std::move(cloud.normals);
@@ -225,13 +221,11 @@ vertexNormals(const std::vector<Vector3>& points, const std::vector<Triangle>& t
 
 } // namespace
 
-PreparedSurface
-prepareSurface(const Surface& surface,
-               const SymmetryParameters& parameters,
-               const NeighbourSearch& search,
-               const ContactTest& contact)
+UsablePoints
+usablePoints(const Surface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
 {
-  PreparedSurface prepared;
+  UsablePoints usable;
+  PreparedSurface& prepared = usable.surface;
   prepared.points = surface.points;
   prepared.triangles = surface.triangles;
   prepared.normals = surface.normals;
@@ -247,22 +241,45 @@ prepareSurface(const Surface& surface,
   dropNonFinitePoints(prepared);
   dropDegenerateTriangles(prepared.triangles);
   normalizeScale(prepared);
-  if (prepared.is_cloud && parameters.outlier_deviations > 0.0F) {
+  if (!prepared.is_cloud) {
+    return usable;
+  }
+  if (parameters.outlier_deviations > 0.0F) {
     dropOutliers(prepared, parameters, search);
   }
+  if (parameters.normals == NormalSource::Estimate) {
+    prepared.normals.clear();
+  }
+  usable.neighbours = reduceCloud(prepared, parameters, search);
+  return usable;
+}
+
+PreparedSurface
+prepareSurface(UsablePoints usable, const SymmetryParameters& parameters, const ContactTest& contact)
+{
+  PreparedSurface prepared = std::move(usable.surface);
   if (prepared.is_cloud) {
-    reconstructCloud(prepared, parameters, search, contact);
+    reconstructCloud(prepared, usable.neighbours, parameters, contact);
   }
   else {
     prepared.normals = vertexNormals(prepared.points, prepared.triangles);
     prepared.graph = buildMeshGraph(prepared.points, prepared.triangles);
   }
   keepLargestComponent(prepared);
-  prepared.summary.used =
-      surface.size() -
+  const auto left_out =
       static_cast<std::size_t>(std::count(prepared.representatives.begin(), prepared.representatives.end(), no_index));
+  prepared.summary.used = prepared.representatives.size() - left_out;
   prepared.summary.working_points = prepared.size();
   return prepared;
+}
+
+PreparedSurface
+prepareSurface(const Surface& surface,
+               const SymmetryParameters& parameters,
+               const NeighbourSearch& search,
+               const ContactTest& contact)
+{
+  return prepareSurface(usablePoints(surface, parameters, search), parameters, contact);
 }
 
 } // namespace symmetry
