@@ -5,6 +5,7 @@
 
 #include "symmetry/map_asymmetry.h"
 #include "symmetry/map_score.h"
+#include "symmetry/patch_alignment.h"
 #include "symmetry/sample_interpolation.h"
 
 #include <vector>
@@ -25,18 +26,26 @@ isReflection(const MapScore& score);
 bool
 isRotation(const MapScore& score);
 
-/** \brief Confidence of a whole map in [0, 1]: how likely it is a right map of a symmetric surface.
+/** \brief How likely a map of the hubs is right before it is refined, in [0, 1]: to compare candidates.
  *
  * A logistic function of the logarithms of the signs of asymmetry and of the share of the surface that stands still: an
- * odd limb is mapped to itself. Its weights were fitted to generated bodies, symmetric and not, posed and warped, as
- * meshes and clouds.
- * \param[in] is_noisy the surface is that of a cloud which had to be smoothed: part of the stretch is noise
+ * odd limb is mapped to itself. Its weights were fitted to generated bodies.
  */
 float
-mapConfidence(const MapScore& score, const AsymmetrySigns& signs, bool is_noisy = false);
+candidateConfidence(const MapScore& score, const AsymmetrySigns& signs);
+
+/** \brief Confidence of a whole map in [0, 1]: how likely it is a right map of a symmetric surface.
+ *
+ * A logistic function of the fit of the patches, of what remains of stretch, and of the score, all of the refined map.
+ * Its weights were fitted to right and wrong maps of scans and of generated bodies, symmetric and not, as meshes,
+ * clouds and noisy clouds. \param[in] fit mean over the patches \param[in] is_noisy the surface is that of a cloud
+ * which had to be smoothed: part of the misfit is noise
+ */
+float
+mapConfidence(const MapScore& score, const AsymmetrySigns& signs, const PatchFit& fit, bool is_noisy);
 
 /** \brief A reflection of lower confidence is none: one side has what the other lacks. */
-constexpr float least_map_confidence = 0.05F;
+constexpr float least_map_confidence = 0.15F;
 
 /** \brief Share of the confidence that is left to a map that is not handed out: what spoke against it counts as well.
  */

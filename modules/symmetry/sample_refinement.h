@@ -35,10 +35,10 @@ struct RefinementSettings {
 struct SampleEstimate {
   SampleMap map;               ///< sample in whose cell the partner of each sample lies
   std::vector<Index> partners; ///< point that is the partner of each sample
-  std::vector<PatchFit> fits;  ///< how well the smallest patches fit their images
+  PatchFit fit{0.0F, 0.0F};    ///< how well the smallest patches fit their images: the mean
   SampleMap hub_map;           ///< the same map among the hubs
   MapScore score;              ///< of that
-  float value = 0.0F;          ///< of the score and the fits together, the lower the better
+  float value = 0.0F;          ///< of the score and the fit together, the lower the better
 };
 
 /** \brief Refines candidates; what it needs to do so is prepared once. */

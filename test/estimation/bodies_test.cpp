@@ -211,10 +211,13 @@ TEST_P(AsymmetricBodyTest, HasNoSymmetry)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Mesh, AsymmetricBodyTest, testing::Values(Body::Helix), [](const auto& tested) {
-  std::string name = toString(tested.param);
-  name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Mesh,
+                         AsymmetricBodyTest,
+                         testing::Values(Body::Helix, Body::Hand, Body::MissingArm),
+                         [](const auto& tested) {
+                           std::string name = toString(tested.param);
+                           name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+                           return name;
+                         });
 
 } // namespace

@@ -23,7 +23,7 @@ judge(const CoarseBody& body, const SampleMap& map)
   Finding finding;
   finding.score = scoreMap(body.hubs, descriptor, map, map.size(), ScoreWeights{});
   finding.signs = findAsymmetry(body.hubs, descriptor.curvature, map);
-  finding.confidence = mapConfidence(finding.score, finding.signs);
+  finding.confidence = candidateConfidence(finding.score, finding.signs);
   return finding;
 }
 
@@ -84,7 +84,7 @@ TEST(FindAsymmetry, DoesNotDependOnTheLengthUnit)
   EXPECT_NEAR(large.concentration, small.concentration, 1e-3F);
 }
 
-TEST(MapConfidence, IsHighOnSymmetricBodiesAndLowWhereALimbIsMissingOrTooMuch)
+TEST(CandidateConfidence, IsHighOnSymmetricBodiesAndLowWhereALimbIsMissingOrTooMuch)
 {
   for (const Body kind : {Body::Human, Body::Quadruped, Body::Bird}) {
     EXPECT_GT(judgeBest(kind).confidence, 0.7F) << toString(kind);
@@ -94,20 +94,50 @@ TEST(MapConfidence, IsHighOnSymmetricBodiesAndLowWhereALimbIsMissingOrTooMuch)
   }
 }
 
-TEST(MapConfidence, FallsWithEverySignOfAsymmetryAndWithWhatStandsStill)
+TEST(CandidateConfidence, FallsWithEverySignOfAsymmetryAndWithWhatStandsStill)
 {
   Finding finding = judge(human(), human().trueMap());
   const auto changed = [&](float AsymmetrySigns::*sign) {
     AsymmetrySigns signs = finding.signs;
     signs.*sign *= 1.5F;
-    return mapConfidence(finding.score, signs);
+    return candidateConfidence(finding.score, signs);
   };
   EXPECT_LT(changed(&AsymmetrySigns::stretch), finding.confidence);
   EXPECT_LT(changed(&AsymmetrySigns::concentration), finding.confidence);
   EXPECT_LT(changed(&AsymmetrySigns::curvature), finding.confidence);
-  EXPECT_GT(mapConfidence(finding.score, finding.signs, true), finding.confidence);
   finding.score.fixed += 0.1F;
-  EXPECT_LT(mapConfidence(finding.score, finding.signs), finding.confidence);
+  EXPECT_LT(candidateConfidence(finding.score, finding.signs), finding.confidence);
+}
+
+TEST(MapConfidence, FallsWithWhatSpeaksAgainstARightMap)
+{
+  MapScore score;
+  score.reversal = 0.8F;
+  score.curvature = 0.4F;
+  AsymmetrySigns signs;
+  signs.stretch = 0.07F;
+  signs.involution = 0.013F;
+  const PatchFit fit{0.0035F, 0.045F};
+  const float confidence = mapConfidence(score, signs, fit, false);
+  EXPECT_GT(confidence, 0.9F); // the medians of right maps of scans
+
+  EXPECT_LT(mapConfidence(score, signs, {2.0F * fit.distance, fit.turn}, false), confidence);
+  AsymmetrySigns stretched = signs;
+  stretched.stretch *= 2.0F;
+  EXPECT_LT(mapConfidence(score, stretched, fit, false), confidence);
+  EXPECT_GT(mapConfidence(score, stretched, fit, true), mapConfidence(score, stretched, fit, false));
+  MapScore worse = score;
+  worse.reversal -= 0.1F;
+  EXPECT_LT(mapConfidence(worse, signs, fit, false), confidence);
+  worse = score;
+  worse.curvature += 0.3F;
+  EXPECT_LT(mapConfidence(worse, signs, fit, false), confidence);
+
+  for (const float extreme : {0.0F, 1.0F, 1e6F}) {
+    signs.stretch = extreme;
+    const float bounded = mapConfidence(MapScore{}, signs, {extreme, extreme}, true);
+    EXPECT_TRUE(bounded >= 0.0F && bounded <= 1.0F) << extreme;
+  }
 }
 
 } // namespace

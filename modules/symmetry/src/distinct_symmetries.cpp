@@ -57,7 +57,8 @@ selectReflections(const HubSurface& hubs,
         !(isReflection(candidate.score) && hasAxis(candidate.score) && reversesEverywhere(hubs, candidate.map))) {
       continue;
     }
-    const float confidence = mapConfidence(candidate.score, findAsymmetry(hubs, descriptor.curvature, candidate.map));
+    const float confidence =
+        candidateConfidence(candidate.score, findAsymmetry(hubs, descriptor.curvature, candidate.map));
     if (is_result || confidence >= least_relative_confidence * reflections.front().confidence) {
       reflections.push_back({candidate, confidence});
     }

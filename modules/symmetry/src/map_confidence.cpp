@@ -8,6 +8,12 @@ namespace symmetry {
 
 namespace {
 
+float
+logistic(float evidence)
+{
+  return 1.0F / (1.0F + std::exp(-evidence));
+}
+
 bool
 isSymmetry(const MapScore& score)
 {
@@ -23,7 +29,7 @@ scoreConfidence(const MapScore& score)
 {
   constexpr float even = -0.6F; // score at which right and wrong are equally likely
   constexpr float slope = 4.0F;
-  return 1.0F / (1.0F + std::exp(slope * (score.value - even)));
+  return logistic(-slope * (score.value - even));
 }
 
 bool
@@ -41,18 +47,30 @@ isRotation(const MapScore& score)
 }
 
 float
-mapConfidence(const MapScore& score, const AsymmetrySigns& signs, bool is_noisy)
+candidateConfidence(const MapScore& score, const AsymmetrySigns& signs)
 {
   constexpr float tiny = 1e-3F;
   constexpr float little_curvature = 0.1F;
   constexpr float largest_fixed = 0.35F; // the head, tail and trunk of an animal; more is for the score to judge
-  constexpr float by_noise = 1.65F;
   // The involution normalises: where samples are coarse or noisy, it grows together with the stretch.
-  const float evidence = 1.0F + 3.1F * std::log(signs.involution + tiny) - 5.7F * std::log(signs.stretch + tiny) -
-                         1.7F * std::log(signs.concentration + tiny) -
-                         3.4F * std::log(signs.curvature + little_curvature) -
-                         5.0F * std::min(score.fixed, largest_fixed) + (is_noisy ? by_noise : 0.0F);
-  return 1.0F / (1.0F + std::exp(-evidence));
+  return logistic(1.0F + 3.1F * std::log(signs.involution + tiny) - 5.7F * std::log(signs.stretch + tiny) -
+                  1.7F * std::log(signs.concentration + tiny) - 3.4F * std::log(signs.curvature + little_curvature) -
+                  5.0F * std::min(score.fixed, largest_fixed));
+}
+
+float
+mapConfidence(const MapScore& score, const AsymmetrySigns& signs, const PatchFit& fit, bool is_noisy)
+{
+  constexpr float tiny = 1e-3F;
+  constexpr float little_stretch = 0.01F;
+  constexpr float little_turn = 0.005F;
+  constexpr float largest_curvature = 1.5F;
+  constexpr float by_noise = 2.4F;
+  // What normals and the involution add grows with the coarseness of the samples: it normalises the rest.
+  return logistic(-22.3F - 5.8F * std::log(signs.stretch + little_stretch) - 4.7F * std::log(fit.distance + tiny) +
+                  3.5F * std::log(signs.involution + tiny) + 2.0F * std::log(fit.turn + little_turn) +
+                  13.2F * score.reversal - 3.9F * std::min(score.curvature, largest_curvature) +
+                  (is_noisy ? by_noise : 0.0F));
 }
 
 std::vector<float>

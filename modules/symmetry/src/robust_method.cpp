@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace pcl {
 namespace symmetry {
@@ -105,6 +106,23 @@ describeLimbs(const SurfaceModel& model, const SampleMap& hub_map, const Ordered
   }
 }
 
+float
+confidenceOf(const SampleEstimate& samples, const SurfaceModel& model, const ShapeDescriptor& descriptor, bool is_noisy)
+{
+  const AsymmetrySigns signs = findAsymmetry(model.hubs, descriptor.curvature, samples.hub_map);
+  return mapConfidence(samples.score, signs, samples.fit, is_noisy);
+}
+
+/** Candidates in their order, but one of them first. */
+std::vector<SymmetryCandidate>
+withFirst(const SymmetryCandidate& first, const std::vector<SymmetryCandidate>& candidates)
+{
+  std::vector<SymmetryCandidate> ordered{first};
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(ordered),
+               [&](const SymmetryCandidate& candidate) { return &candidate != &first; });
+  return ordered;
+}
+
 /** Dense maps of the symmetries among the candidates, as many as were asked for. */
 void
 appendAlternatives(const PreparedSurface& surface,
@@ -126,7 +144,8 @@ appendAlternatives(const PreparedSurface& surface,
     const SampleEstimate samples = refinement.refine(reflection.candidate);
     estimate.alternatives.push_back(
         {partnersOfPoints(surface, model.coarse, transfer.probes, samples.partners, parameters.threads),
-         reflection.candidate.score.value, reflection.confidence, true});
+         reflection.candidate.score.value,
+         confidenceOf(samples, model, descriptor, surface.summary.smoothing_radius > 0.0F), true});
   }
   for (const DistinctRotation& rotation : distinct.rotations) {
     const std::vector<Index>& second = estimate.alternatives[rotation.second].partners;
@@ -221,9 +240,8 @@ estimateRobust(const PreparedSurface& surface,
   const MapScore& score = best.score.value < contender.candidate->score.value ? best.score : contender.candidate->score;
   const ShapeDescriptor descriptor =
       describeShape(model.coarse, model.basis, settings.search.dimensions, settings.search.descriptor);
-  const float confidence =
-      mapConfidence(score, findAsymmetry(model.hubs, descriptor.curvature, contender.candidate->map),
-                    surface.summary.smoothing_radius > 0.0F);
+  const bool is_noisy = surface.summary.smoothing_radius > 0.0F;
+  const float confidence = confidenceOf(best, model, descriptor, is_noisy);
   estimate.confidence = confidence_of_refused * confidence;
   if (!isReflection(score)) {
     return estimate;
@@ -239,7 +257,8 @@ estimateRobust(const PreparedSurface& surface,
   timer.start("dense", 0.8);
   if (!parameters.sparse_only) {
     estimate.partners = partnersOfPoints(surface, model.coarse, transfer.probes, best.partners, parameters.threads);
-    appendAlternatives(surface, model, descriptor, transfer, refinement, candidates, parameters, settings, estimate);
+    appendAlternatives(surface, model, descriptor, transfer, refinement, withFirst(*contender.candidate, candidates),
+                       parameters, settings, estimate);
   }
   const OrderedPairs pairs = orderPairs(model.hubs, best.hub_map);
   estimate.side_function = pointSides(model, pairs, transfer.interpolation, estimate.partners, parameters.threads);

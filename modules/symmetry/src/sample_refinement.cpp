@@ -28,19 +28,24 @@ mapOfHubs(const HubSurface& hubs, const SampleMap& map)
   return among_hubs;
 }
 
+PatchFit
+meanOf(const std::vector<PatchFit>& fits)
+{
+  PatchFit mean{0.0F, 0.0F};
+  for (const PatchFit& fit : fits) {
+    mean.distance += fit.distance / static_cast<float>(fits.size());
+    mean.turn += fit.turn / static_cast<float>(fits.size());
+  }
+  return mean;
+}
+
 /** Logarithm of the misfit of the patches; a difference of 0.7 is a fit twice as good. */
 float
-logMisfit(const std::vector<PatchFit>& fits)
+logMisfit(const PatchFit& fit)
 {
   constexpr float least_distance = 2e-3F; // sampling noise
   constexpr float least_turn = 0.01F;
-  float distance = 0.0F;
-  float turn = 0.0F;
-  for (const PatchFit& fit : fits) {
-    distance += fit.distance / static_cast<float>(fits.size());
-    turn += fit.turn / static_cast<float>(fits.size());
-  }
-  return 0.5F * (std::log(distance + least_distance) + std::log(turn + least_turn));
+  return 0.5F * (std::log(fit.distance + least_distance) + std::log(fit.turn + least_turn));
 }
 
 } // namespace
@@ -104,8 +109,8 @@ SampleRefinement::refine(const SymmetryCandidate& candidate) const
   estimate.score = scoreMap(hubs_, guide_, estimate.hub_map, settings_.score_queries, settings_.score);
   estimate.value = estimate.score.value;
   if (!alignments_.empty()) {
-    estimate.fits = alignments_.back().fits(partners, threads_);
-    estimate.value += settings_.fit * logMisfit(estimate.fits);
+    estimate.fit = meanOf(alignments_.back().fits(partners, threads_));
+    estimate.value += settings_.fit * logMisfit(estimate.fit);
   }
   return estimate;
 }
