@@ -39,13 +39,14 @@ meanOf(const std::vector<PatchFit>& fits)
   return mean;
 }
 
-/** Logarithm of the misfit of the patches; a difference of 0.7 is a fit twice as good. */
+/** Logarithm of the misfit of the patches. Normals tell more than distances: on a smooth body a wrong patch lies close
+ * as well, but does not face the right way. */
 float
 logMisfit(const PatchFit& fit)
 {
   constexpr float least_distance = 2e-3F; // sampling noise
   constexpr float least_turn = 0.01F;
-  return 0.5F * (std::log(fit.distance + least_distance) + std::log(fit.turn + least_turn));
+  return 0.5F * std::log(fit.distance + least_distance) + std::log(fit.turn + least_turn);
 }
 
 } // namespace
