@@ -34,18 +34,26 @@ isRotation(const MapScore& score);
 float
 candidateConfidence(const MapScore& score, const AsymmetrySigns& signs);
 
+/** \brief What speaks for and against a refined map. */
+struct MapEvidence {
+  MapScore score;
+  AsymmetrySigns signs;
+  PatchFit fit{0.0F, 0.0F}; ///< mean over the patches
+  float spacing = 0.0F;     ///< of the samples, share of the diameter: what is as coarse cannot fit better
+  bool is_noisy = false;    ///< the surface is that of a cloud which had to be smoothed: part of the misfit is noise
+};
+
 /** \brief Confidence of a whole map in [0, 1]: how likely it is a right map of a symmetric surface.
  *
- * A logistic function of the fit of the patches, of what remains of stretch, and of the score, all of the refined map.
- * Its weights were fitted to right and wrong maps of scans and of generated bodies, symmetric and not, as meshes,
- * clouds and noisy clouds. \param[in] fit mean over the patches \param[in] is_noisy the surface is that of a cloud
- * which had to be smoothed: part of the misfit is noise
+ * A logistic function of the fit of the patches, of the stretch that remains, and of the score, relative to the spacing
+ * of the samples. Its weights were fitted to right and wrong maps of scans and of generated bodies, symmetric and not,
+ * as meshes, clouds and noisy clouds.
  */
 float
-mapConfidence(const MapScore& score, const AsymmetrySigns& signs, const PatchFit& fit, bool is_noisy);
+mapConfidence(const MapEvidence& evidence);
 
 /** \brief A reflection of lower confidence is none: one side has what the other lacks. */
-constexpr float least_map_confidence = 0.15F;
+constexpr float least_map_confidence = 0.13F;
 
 /** \brief Share of the confidence that is left to a map that is not handed out: what spoke against it counts as well.
  */

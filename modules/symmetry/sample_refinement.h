@@ -17,9 +17,9 @@ namespace symmetry {
 
 /** \brief Settings of the refinement; lengths are shares of the diameter. */
 struct RefinementSettings {
-  std::vector<int> levels{40, 50, 60}; ///< eigenfunctions used on all samples
-  int guide_dimensions = 14;           ///< spectral coordinates in the orientation part of its guide
-  float guidance = 1.5F;               ///< weight of the local parts of the descriptor in it
+  std::vector<int> levels{45, 60}; ///< eigenfunctions used on all samples
+  int guide_dimensions = 14;       ///< spectral coordinates in the orientation part of its guide
+  float guidance = 1.5F;           ///< weight of the local parts of the descriptor in it
   std::vector<PatchSize> patches{{0.14F, 150}, {0.1F, 300}, {0.06F, 600}}; ///< aligned in this order
   int patch_rounds = 3;
   std::vector<float> end_radii{0.12F, 0.18F}; ///< ends of the body that are turned; empty: none

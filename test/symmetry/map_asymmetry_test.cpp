@@ -111,32 +111,45 @@ TEST(CandidateConfidence, FallsWithEverySignOfAsymmetryAndWithWhatStandsStill)
 
 TEST(MapConfidence, FallsWithWhatSpeaksAgainstARightMap)
 {
-  MapScore score;
-  score.reversal = 0.8F;
-  score.curvature = 0.4F;
-  AsymmetrySigns signs;
-  signs.stretch = 0.07F;
-  signs.involution = 0.013F;
-  const PatchFit fit{0.0035F, 0.045F};
-  const float confidence = mapConfidence(score, signs, fit, false);
-  EXPECT_GT(confidence, 0.9F); // the medians of right maps of scans
+  MapEvidence right; // the medians of right maps of scans
+  right.score.reversal = 0.8F;
+  right.score.curvature = 0.4F;
+  right.signs.stretch = 0.07F;
+  right.signs.involution = 0.013F;
+  right.fit = {0.0035F, 0.045F};
+  right.spacing = 0.02F;
+  const float confidence = mapConfidence(right);
+  EXPECT_GT(confidence, 0.9F);
 
-  EXPECT_LT(mapConfidence(score, signs, {2.0F * fit.distance, fit.turn}, false), confidence);
-  AsymmetrySigns stretched = signs;
-  stretched.stretch *= 2.0F;
-  EXPECT_LT(mapConfidence(score, stretched, fit, false), confidence);
-  EXPECT_GT(mapConfidence(score, stretched, fit, true), mapConfidence(score, stretched, fit, false));
-  MapScore worse = score;
-  worse.reversal -= 0.1F;
-  EXPECT_LT(mapConfidence(worse, signs, fit, false), confidence);
-  worse = score;
-  worse.curvature += 0.3F;
-  EXPECT_LT(mapConfidence(worse, signs, fit, false), confidence);
+  MapEvidence other = right;
+  other.fit.distance *= 2.0F;
+  EXPECT_LT(mapConfidence(other), confidence);
+  other = right;
+  other.score.reversal -= 0.1F;
+  EXPECT_LT(mapConfidence(other), confidence);
+  other = right;
+  other.score.curvature += 0.3F;
+  EXPECT_LT(mapConfidence(other), confidence);
+  other = right;
+  other.spacing *= 0.5F; // finer samples ought to fit better
+  EXPECT_LT(mapConfidence(other), confidence);
+  other = right;
+  other.signs.stretch *= 2.0F;
+  const float stretched = mapConfidence(other);
+  EXPECT_LT(stretched, confidence);
+  other.is_noisy = true;
+  EXPECT_GT(mapConfidence(other), stretched);
+}
 
+TEST(MapConfidence, IsBounded)
+{
   for (const float extreme : {0.0F, 1.0F, 1e6F}) {
-    signs.stretch = extreme;
-    const float bounded = mapConfidence(MapScore{}, signs, {extreme, extreme}, true);
-    EXPECT_TRUE(bounded >= 0.0F && bounded <= 1.0F) << extreme;
+    MapEvidence evidence;
+    evidence.signs.stretch = extreme;
+    evidence.fit = {extreme, extreme};
+    evidence.spacing = extreme;
+    const float confidence = mapConfidence(evidence);
+    EXPECT_TRUE(confidence >= 0.0F && confidence <= 1.0F) << extreme;
   }
 }
 

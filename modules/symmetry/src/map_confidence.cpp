@@ -59,18 +59,18 @@ candidateConfidence(const MapScore& score, const AsymmetrySigns& signs)
 }
 
 float
-mapConfidence(const MapScore& score, const AsymmetrySigns& signs, const PatchFit& fit, bool is_noisy)
+mapConfidence(const MapEvidence& evidence)
 {
   constexpr float tiny = 1e-3F;
   constexpr float little_stretch = 0.01F;
   constexpr float little_turn = 0.005F;
   constexpr float largest_curvature = 1.5F;
-  constexpr float by_noise = 2.4F;
   // What normals and the involution add grows with the coarseness of the samples: it normalises the rest.
-  return logistic(-22.3F - 5.8F * std::log(signs.stretch + little_stretch) - 4.7F * std::log(fit.distance + tiny) +
-                  3.5F * std::log(signs.involution + tiny) + 2.0F * std::log(fit.turn + little_turn) +
-                  13.2F * score.reversal - 3.9F * std::min(score.curvature, largest_curvature) +
-                  (is_noisy ? by_noise : 0.0F));
+  return logistic(-7.3F - 5.2F * std::log(evidence.signs.stretch + little_stretch) -
+                  4.5F * std::log(evidence.fit.distance + tiny) + 1.6F * std::log(evidence.signs.involution + tiny) +
+                  2.1F * std::log(evidence.fit.turn + little_turn) + 6.7F * evidence.score.reversal -
+                  1.2F * std::min(evidence.score.curvature, largest_curvature) +
+                  4.3F * std::log(evidence.spacing + tiny) + (evidence.is_noisy ? 3.1F : 0.0F));
 }
 
 std::vector<float>

@@ -109,8 +109,8 @@ describeLimbs(const SurfaceModel& model, const SampleMap& hub_map, const Ordered
 float
 confidenceOf(const SampleEstimate& samples, const SurfaceModel& model, const ShapeDescriptor& descriptor, bool is_noisy)
 {
-  const AsymmetrySigns signs = findAsymmetry(model.hubs, descriptor.curvature, samples.hub_map);
-  return mapConfidence(samples.score, signs, samples.fit, is_noisy);
+  return mapConfidence({samples.score, findAsymmetry(model.hubs, descriptor.curvature, samples.hub_map), samples.fit,
+                        sampleSpacing(model.coarse) / model.hubs.diameter, is_noisy});
 }
 
 /** Candidates in their order, but one of them first. */
