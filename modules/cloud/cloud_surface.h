@@ -26,6 +26,10 @@ struct CloudSurface {
 struct ContactTest {
   float bend = 0.5F;   ///< least cosine between the normals at the ends of an edge that is trusted
   float detour = 3.0F; ///< a distrusted edge is kept if the way round it is at most so many times as long
+  /** How far, in spacings, an edge is moved into the body to see whether it meets a surface there, and then is no
+   * longer trusted; 0: not at all. Tells contacts in a noisy cloud, where touching surfaces have merged, and leaves
+   * thin parts with few edges. */
+  float depth = 0.0F;
 };
 
 /** \brief Builds graph, normals and triangles of a cloud.

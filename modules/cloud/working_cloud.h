@@ -30,9 +30,14 @@ struct WorkingCloud {
  * neighbourhoods are as large as limbs is left as it is.
  * \param[in] points all finite, at unit scale
  * \param[in] lists their nearest neighbours
- * \param[in] most how many working points there may be at most */
+ * \param[in] most how many working points there may be at most
+ * \param[in] smoothing_share of the radius that smooths best; a smaller one keeps more noise and more detail apart */
 WorkingCloud
-makeWorkingCloud(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t most, unsigned threads);
+makeWorkingCloud(const std::vector<Vector3>& points,
+                 const NeighbourLists& lists,
+                 std::size_t most,
+                 unsigned threads,
+                 float smoothing_share = 1.0F);
 
 } // namespace symmetry
 } // namespace pcl

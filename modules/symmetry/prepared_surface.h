@@ -50,9 +50,13 @@ struct UsablePoints {
 /** \brief Drops what cannot be used and normalises the rest; goes over to the working points of a cloud.
  * \param[in] surface the input; triangle indices must be in range
  * \param[in] search nearest-neighbour search; used for clouds only
+ * \param[in] smoothing_share see makeWorkingCloud ()
  */
 UsablePoints
-usablePoints(const Surface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search);
+usablePoints(const Surface& surface,
+             const SymmetryParameters& parameters,
+             const NeighbourSearch& search,
+             float smoothing_share = 1.0F);
 
 /** \brief Builds the graph and restricts the surface to its largest component.
  * \param[in] contact how readily edges of a cloud are taken for shortcuts

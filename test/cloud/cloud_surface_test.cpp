@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
 
@@ -266,6 +268,46 @@ TEST(CloudSurface, NormalsOfASpherePointOutwards)
     ASSERT_NEAR(norm(surface.normals[v]), 1.0F, 1e-4F);
   }
   EXPECT_EQ(surface.distrusted_edges, 0U);
+  EXPECT_EQ(surface.graph.neighbours, plainGraph(points).neighbours);
+}
+
+/** Two bodies that touch: their tops side by side in one plane, and the one layer that is left of their walls. */
+TEST(CloudSurface, DepthFindsTheLayerBetweenMergedBodies)
+{
+  constexpr int n = 40;
+  constexpr float middle = 0.5F;
+  std::vector<Vector3> points = sheet(n, 0.0F, 8);
+  const auto right =
+      std::stable_partition(points.begin(), points.end(), [](const Vector3& p) { return p[0] < middle; });
+  const std::vector<Vector3> other_top(right, points.end());
+  points.erase(right, points.end());
+  std::vector<Vector3> normals(points.size(), Vector3{0.0F, 0.0F, 1.0F});
+  for (const Vector3& p : sheet(n, 0.0F, 9)) {
+    if (p[0] < 0.3F) {
+      points.push_back({middle, p[1], -p[0]});
+      normals.push_back({1.0F, 0.0F, 0.0F});
+    }
+  }
+  points.insert(points.end(), other_top.begin(), other_top.end());
+  normals.resize(points.size(), Vector3{0.0F, 0.0F, 1.0F});
+  const NeighbourLists lists = nearestNeighbours(points, 10);
+  const auto way_across = [&](const ContactTest& contact) { // mean over several places
+    const SurfaceGraph graph = buildCloudSurface(points, lists, normals, 0.0F, contact, 1).graph;
+    float sum = 0.0F;
+    for (const float y : {0.1F, 0.3F, 0.5F, 0.7F, 0.9F}) {
+      const Index other_side = nearestTo(points, {0.7F, y, 0.0F});
+      sum += distanceField(graph, nearestTo(points, {0.3F, y, 0.0F}))[static_cast<std::size_t>(other_side)];
+    }
+    return sum / 5.0F;
+  };
+  EXPECT_LT(way_across({0.5F, 3.0F}), 0.5F);
+  EXPECT_GT(way_across({0.5F, 3.0F, 1.3F}), 0.6F);
+}
+
+TEST(CloudSurface, DepthTakesNothingFromABendingSurface)
+{
+  const std::vector<Vector3> points = sphereCloud(1500, 0.5F);
+  const CloudSurface surface = surfaceOf(points, {0.5F, 3.0F, 1.3F});
   EXPECT_EQ(surface.graph.neighbours, plainGraph(points).neighbours);
 }
 

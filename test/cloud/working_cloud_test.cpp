@@ -117,6 +117,18 @@ TEST(WorkingCloud, LiesOnTheSurfaceThatNoiseHides)
   }
 }
 
+TEST(WorkingCloud, IsSmoothedLessWhenAsked)
+{
+  const std::vector<Vector3> points = noisy(sphereCloud(20000, sphere_radius), 0.01F, 5);
+  const NeighbourLists lists = nearestNeighbours(points, 10);
+  const WorkingCloud best = makeWorkingCloud(points, lists, any_number, 1);
+  const WorkingCloud closer = makeWorkingCloud(points, lists, any_number, 1, 0.7F);
+  EXPECT_NEAR(closer.smoothing_radius, 0.7F * best.smoothing_radius, 1e-5F);
+  EXPECT_GT(3 * closer.points.size(), 4 * best.points.size());
+  EXPECT_LT(meanErrorOnSphere(closer.points), meanErrorOnSphere(points));
+  expectConsistent(closer, points.size());
+}
+
 TEST(WorkingCloud, OfANoisyCloudLeavesOutStrayPoints)
 {
   std::vector<Vector3> points = noisy(sphereCloud(20000, sphere_radius), 0.01F, 6);

@@ -33,6 +33,15 @@ edgesOf(const SurfaceGraph& graph)
   return edges;
 }
 
+/** The upper one of the middle two. */
+float
+median(std::vector<float> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return values.empty() ? 0.0F : *middle;
+}
+
 /** Median length of the edges at each point: the local spacing. */
 std::vector<float>
 localSpacing(const SurfaceGraph& graph)
@@ -93,9 +102,9 @@ separateEdges(std::vector<GraphEdge>& trusted, std::vector<GraphEdge>& distruste
   trusted.erase(first_bad, trusted.end());
 }
 
-/** Puts back the shortest distrusted edges between parts that the trusted ones do not join; the number of them. */
+/** Moves the shortest distrusted edges between parts that the trusted ones do not join to these; the number of them. */
 std::size_t
-bridgeParts(std::size_t n, std::vector<GraphEdge>& trusted, std::vector<GraphEdge> distrusted)
+bridgeParts(std::size_t n, std::vector<GraphEdge>& trusted, std::vector<GraphEdge>& distrusted)
 {
   UnionFind parts(n);
   for (const GraphEdge& edge : trusted) {
@@ -103,15 +112,55 @@ bridgeParts(std::size_t n, std::vector<GraphEdge>& trusted, std::vector<GraphEdg
   }
   std::stable_sort(distrusted.begin(), distrusted.end(),
                    [](const GraphEdge& x, const GraphEdge& y) { return x.length < y.length; });
-  std::size_t bridges = 0;
-  for (const GraphEdge& edge : distrusted) {
-    if (parts.join(edge.a, edge.b)) {
-      trusted.push_back(edge);
-      ++bridges;
-    }
-  }
+  const auto first_left = std::stable_partition(distrusted.begin(), distrusted.end(),
+                                                [&](const GraphEdge& edge) { return parts.join(edge.a, edge.b); });
+  const auto bridges = static_cast<std::size_t>(first_left - distrusted.begin());
+  trusted.insert(trusted.end(), distrusted.begin(), first_left);
+  distrusted.erase(distrusted.begin(), first_left);
   return bridges;
 }
+
+/** Tells edges that lead from one part of the body to another one through the place where they touch: moved a little
+ * way into the body, along the normals, they meet the surface in between. On a bend of one surface they do not, however
+ * sharp it is. */
+class ContactBarrier {
+public:
+  /** \param[in] depth how far edges are moved */
+  ContactBarrier(const std::vector<Vector3>& points, const std::vector<Vector3>& normals, float depth)
+      : points_(points), normals_(normals), depth_(depth), grid_(points, clearance * depth)
+  {
+  }
+
+  bool
+  isCrossedBy(const GraphEdge& edge) const
+  {
+    const Vector3 a = points_[edge.a] - depth_ * normals_[edge.a];
+    const Vector3 b = points_[edge.b] - depth_ * normals_[edge.b];
+    const auto steps = std::max(2, static_cast<int>(std::ceil(distance(a, b) / (0.5F * clearance * depth_))));
+    for (int i = 0; i <= steps; ++i) {
+      if (isOnSurface(a + (static_cast<float>(i) / static_cast<float>(steps)) * (b - a))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  static constexpr float clearance = 0.6F; // of the depth; where the surface bends inwards it comes nearer than that
+
+  bool
+  isOnSurface(const Vector3& place) const
+  {
+    bool is_near = false;
+    grid_.visitAround(place, [&](Index v) { is_near = is_near || distance(points_[v], place) < clearance * depth_; });
+    return is_near;
+  }
+
+  const std::vector<Vector3>& points_;
+  const std::vector<Vector3>& normals_;
+  float depth_;
+  PointGrid grid_;
+};
 
 /** Searches around a vertex, with memory kept from search to search. */
 class LocalSearch {
@@ -248,17 +297,26 @@ buildCloudSurface(const std::vector<Vector3>& points,
   });
   if (given_normals.empty()) {
     std::vector<GraphEdge> whole = trusted;
-    bridgeParts(points.size(), whole, distrusted);
+    std::vector<GraphEdge> rest = distrusted;
+    bridgeParts(points.size(), whole, rest);
     orientNormals(points, buildGraph(points.size(), whole), cloud.normals);
   }
   separateEdges(trusted, distrusted, [&](const GraphEdge& edge) {
     return dot(cloud.normals[edge.a], cloud.normals[edge.b]) < contact.bend;
   });
+  std::size_t bridges = 0;
+  const float depth = contact.depth * median(spacing);
+  if (depth > 0.0F) {
+    const ContactBarrier barrier(points, cloud.normals, depth);
+    separateEdges(trusted, distrusted, [&](const GraphEdge& edge) { return barrier.isCrossedBy(edge); });
+    // The inside of a thin part is crossed all over: first it has to hang together.
+    bridges = bridgeParts(points.size(), trusted, distrusted);
+  }
   restoreHarmless(points.size(), contact.detour, trusted, distrusted);
 
   cloud.triangles = localDelaunayTriangles(points, cloud.normals, buildGraph(points.size(), trusted), threads);
-  cloud.bridges = bridgeParts(points.size(), trusted, distrusted) + gaps.size();
-  cloud.distrusted_edges = distrusted.size() + gaps.size() - cloud.bridges;
+  cloud.bridges = bridges + bridgeParts(points.size(), trusted, distrusted) + gaps.size();
+  cloud.distrusted_edges = distrusted.size();
   trusted.insert(trusted.end(), gaps.begin(), gaps.end());
   cloud.graph = buildGraph(points.size(), trusted);
   return cloud;

@@ -405,7 +405,11 @@ smooth(Selection& selection, const Smoothing& smoothing, std::size_t most, float
 } // namespace
 
 WorkingCloud
-makeWorkingCloud(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t most, unsigned threads)
+makeWorkingCloud(const std::vector<Vector3>& points,
+                 const NeighbourLists& lists,
+                 std::size_t most,
+                 unsigned threads,
+                 float smoothing_share)
 {
   const std::vector<float> mean_distances = neighbourDistances(points, lists);
   const std::vector<char> outlier = findOutliers(lists, mean_distances);
@@ -420,6 +424,8 @@ makeWorkingCloud(const std::vector<Vector3>& points, const NeighbourLists& lists
   const float mean_distance = median(mean_distances);
   Selection selection = allPoints(inliers);
   Smoothing smoothing = findSmoothing(inliers, mean_distance);
+  smoothing.radius *= smoothing_share;
+  smoothing.spacing *= smoothing_share;
   if (smoothing.radius > 0.0F) {
     smooth(selection, smoothing, most, mean_distance, threads);
   }

@@ -7,6 +7,7 @@
 #include "symmetry/staged_method.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace pcl {
 namespace symmetry {
@@ -150,8 +151,42 @@ isBetter(const MapEstimate& a, const MapEstimate& b)
   return a_found != b_found ? a_found : a.confidence > b.confidence;
 }
 
-/** Of the readings of a surface the one with the most convincing symmetry; the first one that is beyond doubt ends the
- * search. \param[out] summary what was used, also if the timer cancels */
+/** The same for a noisy cloud that is smoothed less: closer to the noise, but parts in contact have merged less. */
+std::vector<ContactTest>
+closerContactTests()
+{
+  constexpr float depth = 1.3F;
+  return {{0.5F, 3.0F}, {0.8F, 4.0F}, {0.95F, 8.0F}, {0.5F, 3.0F, depth}, {0.8F, 4.0F, depth}, {0.95F, 8.0F, depth}};
+}
+
+/** Tries ways to read a surface until one is beyond doubt. \param[in,out] best the most convincing one so far, if any;
+ * \param[out] summary what was used, also if the timer cancels */
+void
+tryReadings(const UsablePoints& usable,
+            const std::vector<ContactTest>& tests,
+            const SymmetryParameters& parameters,
+            StepTimer& timer,
+            InputSummary& summary,
+            std::optional<Reading>& best)
+{
+  constexpr float beyond_doubt = 0.9F;
+  for (const ContactTest& contact : tests) {
+    timer.start("graph", 0.0);
+    Reading reading;
+    reading.surface = prepareSurface(usable, parameters, contact);
+    summary = reading.surface.summary;
+    reading.estimate = estimateMap(reading.surface, parameters, timer);
+    if (!best || isBetter(reading.estimate, best->estimate)) {
+      best = std::move(reading);
+    }
+    if (best->estimate.confidence >= beyond_doubt || best->estimate.status == SymmetryStatus::TooFewPoints) {
+      return;
+    }
+  }
+}
+
+/** Of the readings of a surface the one with the most convincing symmetry. \param[out] summary what was used, also if
+ * the timer cancels */
 Reading
 bestReading(const Surface& surface,
             const SymmetryParameters& parameters,
@@ -159,28 +194,20 @@ bestReading(const Surface& surface,
             StepTimer& timer,
             InputSummary& summary)
 {
-  constexpr float beyond_doubt = 0.9F;
-  Reading best;
-  bool is_first = true;
+  constexpr float doubtful = 0.3F;
+  constexpr float closer = 0.7F;
+  std::optional<Reading> best;
   timer.start("graph", 0.0);
   const UsablePoints usable = usablePoints(surface, parameters, search);
-  for (const ContactTest& contact : contactTests(surface, parameters)) {
-    if (!is_first) {
-      timer.start("graph", 0.0);
-    }
-    Reading reading;
-    reading.surface = prepareSurface(usable, parameters, contact);
-    summary = reading.surface.summary;
-    reading.estimate = estimateMap(reading.surface, parameters, timer);
-    if (is_first || isBetter(reading.estimate, best.estimate)) {
-      best = std::move(reading);
-      is_first = false;
-    }
-    if (best.estimate.confidence >= beyond_doubt || best.estimate.status == SymmetryStatus::TooFewPoints) {
-      break;
-    }
+  tryReadings(usable, contactTests(surface, parameters), parameters, timer, summary, best);
+  const bool is_noisy = usable.surface.summary.smoothing_radius > 0.0F;
+  if (is_noisy && parameters.method != Method::Staged && best->estimate.confidence < doubtful &&
+      best->estimate.status != SymmetryStatus::TooFewPoints) {
+    timer.start("graph", 0.0);
+    tryReadings(usablePoints(surface, parameters, search, closer), closerContactTests(), parameters, timer, summary,
+                best);
   }
-  return best;
+  return std::move(*best);
 }
 
 void

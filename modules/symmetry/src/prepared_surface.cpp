@@ -111,11 +111,14 @@ dropOutliers(PreparedSurface& surface, const SymmetryParameters& parameters, con
 /** Goes over to a cloud without outliers and noise, of a size that is solved in a moment; the neighbours of its points.
  */
 NeighbourLists
-reduceCloud(PreparedSurface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
+reduceCloud(PreparedSurface& surface,
+            const SymmetryParameters& parameters,
+            const NeighbourSearch& search,
+            float smoothing_share)
 {
   constexpr std::size_t most = 60000;
   NeighbourLists lists = search(surface.points, parameters.k_search);
-  WorkingCloud working = makeWorkingCloud(surface.points, lists, most, parameters.threads);
+  WorkingCloud working = makeWorkingCloud(surface.points, lists, most, parameters.threads, smoothing_share);
   if (working.points.size() == surface.size() && working.smoothing_radius == 0.0F) {
     return lists;
   }
@@ -222,7 +225,10 @@ vertexNormals(const std::vector<Vector3>& points, const std::vector<Triangle>& t
 } // namespace
 
 UsablePoints
-usablePoints(const Surface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
+usablePoints(const Surface& surface,
+             const SymmetryParameters& parameters,
+             const NeighbourSearch& search,
+             float smoothing_share)
 {
   UsablePoints usable;
   PreparedSurface& prepared = usable.surface;
@@ -250,7 +256,7 @@ usablePoints(const Surface& surface, const SymmetryParameters& parameters, const
   if (parameters.normals == NormalSource::Estimate) {
     prepared.normals.clear();
   }
-  usable.neighbours = reduceCloud(prepared, parameters, search);
+  usable.neighbours = reduceCloud(prepared, parameters, search, smoothing_share);
   return usable;
 }
 
