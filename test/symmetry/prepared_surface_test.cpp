@@ -63,6 +63,17 @@ TEST(PreparedSurface, KeepsTheLargestComponentInItsOrder)
   EXPECT_EQ(prepared.summary.used, grid.size());
 }
 
+TEST(PreparedSurface, FacesThatComeTwiceAreTakenOnce)
+{
+  const Surface grid = gridMesh(7, 5);
+  Surface doubled = grid;
+  for (const Triangle& t : grid.triangles) {
+    doubled.triangles.push_back({t[1], t[2], t[0]});
+    doubled.triangles.push_back({t[2], t[1], t[0]}); // as the back of a two-sided surface
+  }
+  EXPECT_EQ(prepare(doubled).triangles, grid.triangles);
+}
+
 TEST(PreparedSurface, GraphIsThatOfTheMeshAtItsScale)
 {
   const Surface grid = gridMesh(7, 5);
