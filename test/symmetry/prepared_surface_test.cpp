@@ -63,6 +63,16 @@ TEST(PreparedSurface, KeepsTheLargestComponentInItsOrder)
   EXPECT_EQ(prepared.summary.used, grid.size());
 }
 
+TEST(PreparedSurface, APointFarAwayThatNoFaceUsesChangesNothing)
+{
+  const Surface sphere = sphereMesh(3);
+  Surface more = sphere;
+  more.points.push_back({1e30F, 0, 0});
+  const PreparedSurface prepared = prepare(more);
+  EXPECT_EQ(prepared.points, prepare(sphere).points);
+  EXPECT_EQ(prepared.summary.other_components, 1U);
+}
+
 TEST(PreparedSurface, FacesThatComeTwiceAreTakenOnce)
 {
   const Surface grid = gridMesh(7, 5);

@@ -59,17 +59,26 @@ dropNonFinitePoints(PreparedSurface& surface)
   }
 }
 
-/** Moves the bounding box to the origin and scales its longest side to 1, in double: coordinates may be huge. */
+/** Moves the bounding box to the origin and scales its longest side to 1, in double: coordinates may be huge. Points of
+ * a mesh that no face uses are left out of the box: one that is far away would leave few bits for all others. */
 void
 normalizeScale(PreparedSurface& surface)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{infinity, infinity, infinity};
   std::array<double, 3> high{-infinity, -infinity, -infinity};
-  for (const Vector3& p : surface.points) {
+  const auto extend = [&low, &high](const Vector3& p) {
     for (int k = 0; k < 3; ++k) {
       low[k] = std::min(low[k], double{p[k]});
       high[k] = std::max(high[k], double{p[k]});
+    }
+  };
+  if (surface.triangles.empty()) {
+    std::for_each(surface.points.begin(), surface.points.end(), extend);
+  }
+  for (const Triangle& t : surface.triangles) {
+    for (const Index v : t) {
+      extend(surface.points[v]);
     }
   }
   const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
