@@ -17,13 +17,13 @@ namespace symmetry {
 
 /** \brief The largest component of the finite points of a surface.
  *
- * Points are moved and scaled so that the bounding box is centred at the origin and its longest side is 1: whatever the
- * unit of the input, floats neither overflow nor underflow. Point i here is point \a original[i] of the input; the
- * order is kept.
+ * Points are moved and scaled so that the bounding box (of a mesh: of its faces) is centred at the origin and its
+ * longest side is 1: whatever the unit of the input, floats neither overflow nor underflow. Point i here is point \a
+ * original[i] of the input; the order is kept.
  */
 struct PreparedSurface {
   std::vector<Vector3> points;
-  std::vector<Triangle> triangles; ///< without degenerate ones; of a cloud: local Delaunay triangles
+  std::vector<Triangle> triangles; ///< without degenerate and repeated ones; of a cloud: local Delaunay triangles
   bool is_cloud = false;           ///< the input had no faces: triangles are no manifold
   std::vector<Vector3> normals;    ///< consistently oriented (outward or inward), unit length
   SurfaceGraph graph;              ///< mesh edges, or a neighbour graph of the cloud

@@ -63,6 +63,27 @@ TEST(PreparedSurface, KeepsTheLargestComponentInItsOrder)
   EXPECT_EQ(prepared.summary.used, grid.size());
 }
 
+TEST(PreparedSurface, APointFarAwayThatNoFaceUsesChangesNothing)
+{
+  const Surface sphere = sphereMesh(3);
+  Surface more = sphere;
+  more.points.push_back({1e30F, 0, 0});
+  const PreparedSurface prepared = prepare(more);
+  EXPECT_EQ(prepared.points, prepare(sphere).points);
+  EXPECT_EQ(prepared.summary.other_components, 1U);
+}
+
+TEST(PreparedSurface, FacesThatComeTwiceAreTakenOnce)
+{
+  const Surface grid = gridMesh(7, 5);
+  Surface doubled = grid;
+  for (const Triangle& t : grid.triangles) {
+    doubled.triangles.push_back({t[1], t[2], t[0]});
+    doubled.triangles.push_back({t[2], t[1], t[0]}); // as the back of a two-sided surface
+  }
+  EXPECT_EQ(prepare(doubled).triangles, grid.triangles);
+}
+
 TEST(PreparedSurface, GraphIsThatOfTheMeshAtItsScale)
 {
   const Surface grid = gridMesh(7, 5);

@@ -1,10 +1,9 @@
 #include "neighbour_search.h"
+#include "refuse_argument.h"
 #include "symmetry/pipeline.h"
 #include "symmetry/step_timer.h"
 
 #include <pcl/symmetry/impl/surface_estimation.h>
-
-#include <pcl/exceptions.h>
 
 #include <algorithm>
 
@@ -19,8 +18,7 @@ checkTriangles(const Surface& surface)
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     for (const Index v : surface.triangles[i]) {
       if (v < 0 || v >= count) {
-        PCL_THROW_EXCEPTION(BadArgumentException,
-                            "triangle " << i << " refers to point " << v << ", there are " << count << " points");
+        refuseArgument("triangle ", i, " refers to point ", v, ", there are ", count, " points");
       }
     }
   }
@@ -30,11 +28,10 @@ void
 checkNormals(const Surface& surface, const SymmetryParameters& parameters)
 {
   if (!surface.normals.empty() && surface.normals.size() != surface.size()) {
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "there are " << surface.normals.size() << " normals for " << surface.size() << " points");
+    refuseArgument("there are ", surface.normals.size(), " normals for ", surface.size(), " points");
   }
   if (parameters.normals == NormalSource::Given && !surface.hasFaces() && surface.normals.empty()) {
-    PCL_THROW_EXCEPTION(BadArgumentException, "given normals are asked for, but the cloud has none");
+    refuseArgument("given normals are asked for, but the cloud has none");
   }
 }
 
@@ -46,11 +43,10 @@ selectPoints(const Surface& surface, const std::vector<Index>& selection)
   Surface selected;
   for (const Index v : selection) {
     if (v < 0 || static_cast<std::size_t>(v) >= surface.size()) {
-      PCL_THROW_EXCEPTION(BadArgumentException,
-                          "index " << v << " is out of range, there are " << surface.size() << " points");
+      refuseArgument("index ", v, " is out of range, there are ", surface.size(), " points");
     }
     if (new_number[v] != no_index) {
-      PCL_THROW_EXCEPTION(BadArgumentException, "index " << v << " is given twice");
+      refuseArgument("index ", v, " is given twice");
     }
     new_number[v] = static_cast<Index>(selected.points.size());
     selected.points.push_back(surface.points[v]);
@@ -174,8 +170,7 @@ detail::triangulatePolygons(const PolygonMesh& mesh)
     const auto& corners = mesh.polygons[i].vertices;
     for (const auto corner : corners) {
       if (static_cast<std::size_t>(corner) >= points) {
-        PCL_THROW_EXCEPTION(BadArgumentException,
-                            "polygon " << i << " refers to point " << corner << ", there are " << points << " points");
+        refuseArgument("polygon ", i, " refers to point ", corner, ", there are ", points, " points");
       }
     }
     for (std::size_t k = 2; k < corners.size(); ++k) {

@@ -1,6 +1,6 @@
-#include <pcl/symmetry/symmetry.h>
+#include "refuse_argument.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/symmetry/symmetry.h>
 
 namespace pcl {
 namespace symmetry {
@@ -11,7 +11,7 @@ void
 checkRange(const char* name, Number value, Number least, Number most)
 {
   if (!(value >= least && value <= most)) { // also true of NaN
-    PCL_THROW_EXCEPTION(BadArgumentException, name << " is " << value << ", allowed are " << least << " to " << most);
+    refuseArgument(name, " is ", value, ", allowed are ", least, " to ", most);
   }
 }
 

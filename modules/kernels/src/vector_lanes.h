@@ -52,7 +52,6 @@ broadcast(std::int32_t value)
 // Four lanes, which every instruction set has.
 
 using FourLanes = float __attribute__((vector_size(4 * sizeof(float))));
-using FourIndices = std::int32_t __attribute__((vector_size(4 * sizeof(std::int32_t))));
 using UnalignedFourLanes = float __attribute__((vector_size(4 * sizeof(float)), aligned(sizeof(float)), may_alias));
 
 inline FourLanes

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <tuple>
 
 namespace pcl {
 namespace symmetry {
@@ -57,17 +59,26 @@ dropNonFinitePoints(PreparedSurface& surface)
   }
 }
 
-/** Moves the bounding box to the origin and scales its longest side to 1, in double: coordinates may be huge. */
+/** Moves the bounding box to the origin and scales its longest side to 1, in double: coordinates may be huge. Points of
+ * a mesh that no face uses are left out of the box: one that is far away would leave few bits for all others. */
 void
 normalizeScale(PreparedSurface& surface)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{infinity, infinity, infinity};
   std::array<double, 3> high{-infinity, -infinity, -infinity};
-  for (const Vector3& p : surface.points) {
+  const auto extend = [&low, &high](const Vector3& p) {
     for (int k = 0; k < 3; ++k) {
       low[k] = std::min(low[k], double{p[k]});
       high[k] = std::max(high[k], double{p[k]});
+    }
+  };
+  if (surface.triangles.empty()) {
+    std::for_each(surface.points.begin(), surface.points.end(), extend);
+  }
+  for (const Triangle& t : surface.triangles) {
+    for (const Index v : t) {
+      extend(surface.points[v]);
     }
   }
   const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
@@ -205,6 +216,52 @@ dropDegenerateTriangles(std::vector<Triangle>& triangles)
                   triangles.end());
 }
 
+/** Keeps the first of several triangles with the same corners, whichever way they turn: doubled faces, as of two-sided
+ * exports, would leave more than two triangles at every edge, which ends every line drawn over the surface. */
+void
+dropRepeatedTriangles(std::size_t n, std::vector<Triangle>& triangles)
+{
+  struct Corners {
+    Index middle;
+    Index highest;
+    std::size_t triangle;
+  };
+  std::vector<Triangle> sorted = triangles;
+  std::vector<std::size_t> offsets(n + 1, 0);
+  for (Triangle& t : sorted) {
+    std::sort(t.begin(), t.end());
+    ++offsets[static_cast<std::size_t>(t[0]) + 1];
+  }
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+
+  // Grouped by the lowest corner and in order within each group, what is equal stands side by side, the first in front.
+  std::vector<Corners> corners(triangles.size());
+  std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    corners[next[sorted[i][0]]++] = {sorted[i][1], sorted[i][2], i};
+  }
+  std::vector<char> repeated(triangles.size(), 0);
+  for (std::size_t v = 0; v < n; ++v) {
+    const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(offsets[v]);
+    const auto end = corners.begin() + static_cast<std::ptrdiff_t>(offsets[v + 1]);
+    std::sort(begin, end, [](const Corners& x, const Corners& y) {
+      return std::tie(x.middle, x.highest, x.triangle) < std::tie(y.middle, y.highest, y.triangle);
+    });
+    for (auto it = begin; it != end; ++it) {
+      repeated[it->triangle] =
+          static_cast<char>(it != begin && it->middle == (it - 1)->middle && it->highest == (it - 1)->highest);
+    }
+  }
+
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (repeated[i] == 0) {
+      triangles[kept++] = triangles[i];
+    }
+  }
+  triangles.resize(kept);
+}
+
 /** Mean of the normals of the faces around each vertex, weighted by area. */
 std::vector<Vector3>
 vertexNormals(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles)
@@ -246,6 +303,7 @@ usablePoints(const Surface& surface,
 
   dropNonFinitePoints(prepared);
   dropDegenerateTriangles(prepared.triangles);
+  dropRepeatedTriangles(prepared.size(), prepared.triangles);
   normalizeScale(prepared);
   if (!prepared.is_cloud) {
     return usable;

@@ -8,6 +8,7 @@
 #include <pcl/exceptions.h>
 #include <pcl/point_types.h>
 
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -68,13 +69,13 @@ void
 IntrinsicSymmetryEstimation<PointT>::setInputMesh(const PolygonMesh::ConstPtr& mesh)
 {
   if (!mesh) {
-    PCL_THROW_EXCEPTION(BadArgumentException, "setInputMesh: no mesh");
+    throw BadArgumentException("setInputMesh: no mesh");
   }
   for (const char* name : {"x", "y", "z"}) {
     const int field = getFieldIndex(mesh->cloud, name);
     // Conversion would leave zeros without a word.
     if (field < 0 || mesh->cloud.fields[static_cast<std::size_t>(field)].datatype != PCLPointField::FLOAT32) {
-      PCL_THROW_EXCEPTION(BadArgumentException, "setInputMesh: the mesh's cloud has no float field " << name);
+      throw BadArgumentException(std::string("setInputMesh: the mesh's cloud has no float field ") + name);
     }
   }
   auto triangles = symmetry::detail::triangulatePolygons(*mesh);
@@ -120,7 +121,7 @@ void
 IntrinsicSymmetryEstimation<PointT>::compute(IntrinsicSymmetryResult& result)
 {
   if (!input_) {
-    PCL_THROW_EXCEPTION(InitFailedException, "compute: neither setInputCloud nor setInputMesh was called");
+    throw InitFailedException("compute: neither setInputCloud nor setInputMesh was called");
   }
   symmetry::detail::NeighbourSearchFunction search;
   if (search_) {
