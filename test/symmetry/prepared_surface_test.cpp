@@ -193,6 +193,20 @@ TEST(PreparedSurfaceRepresentatives, OfACleanCloudAreItsPoints)
   }
 }
 
+TEST(PreparedSurfaceRepresentatives, AreMissingForStrayPointsHoweverFarAway)
+{
+  const std::vector<Vector3> sphere = sphereCloud(1500, cloud_radius);
+  const PreparedSurface expected = prepareCloud(sphere);
+  for (const float far : {1e6F, 1e12F, 1e30F}) {
+    std::vector<Vector3> points = sphere;
+    points.push_back({far, -far, 0.0F});
+    const PreparedSurface prepared = prepareCloud(points);
+    EXPECT_EQ(prepared.points, expected.points) << far;
+    EXPECT_EQ(prepared.summary.outliers, 1U) << far;
+    EXPECT_EQ(prepared.representatives.back(), no_index) << far;
+  }
+}
+
 TEST(PreparedSurfaceRepresentatives, OfANoisyCloudAreShared)
 {
   std::vector<Vector3> points = noisy(sphereCloud(15000, cloud_radius), noise, 1);

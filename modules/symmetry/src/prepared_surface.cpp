@@ -59,6 +59,46 @@ dropNonFinitePoints(PreparedSurface& surface)
   }
 }
 
+double
+median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** Drops points of a cloud that are so far from the middle of all that no surface reaches there: at unit scale they
+ * would leave few bits for all others. Medians, since a mean would follow them. */
+void
+dropStrayPoints(PreparedSurface& surface)
+{
+  constexpr double far = 1e4; // times as far from the middle as half of the points
+  if (surface.size() == 0) {
+    return;
+  }
+  std::array<double, 3> middle{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<double> coordinates;
+    for (const Vector3& p : surface.points) {
+      coordinates.push_back(double{p[k]});
+    }
+    middle[k] = median(std::move(coordinates));
+  }
+  std::vector<double> distances;
+  for (const Vector3& p : surface.points) {
+    distances.push_back(std::hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]));
+  }
+  const double typical = median(distances);
+  std::vector<char> keep(surface.size());
+  std::transform(distances.begin(), distances.end(), keep.begin(),
+                 [typical](double d) { return !(typical > 0.0) || d <= far * typical; });
+  const auto stray = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
+  if (stray > 0) {
+    surface.summary.outliers += stray;
+    keepPoints(surface, keep);
+  }
+}
+
 /** Moves the bounding box to the origin and scales its longest side to 1, in double: coordinates may be huge. Points of
  * a mesh that no face uses are left out of the box: one that is far away would leave few bits for all others. */
 void
@@ -115,7 +155,7 @@ dropOutliers(PreparedSurface& surface, const SymmetryParameters& parameters, con
   std::vector<char> keep(surface.size());
   std::transform(mean_distance.begin(), mean_distance.end(), keep.begin(),
                  [largest](double d) { return d <= largest; });
-  surface.summary.outliers = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
+  surface.summary.outliers += static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
   keepPoints(surface, keep);
 }
 
@@ -304,6 +344,9 @@ usablePoints(const Surface& surface,
   dropNonFinitePoints(prepared);
   dropDegenerateTriangles(prepared.triangles);
   dropRepeatedTriangles(prepared.size(), prepared.triangles);
+  if (prepared.is_cloud) {
+    dropStrayPoints(prepared);
+  }
   normalizeScale(prepared);
   if (!prepared.is_cloud) {
     return usable;
