@@ -13,7 +13,7 @@ namespace {
 
 /** Mean distance of each sample from those of the adjacent cells. */
 std::vector<float>
-sampleSpacing(const CoarseSurface& coarse)
+spacingAtSamples(const CoarseSurface& coarse)
 {
   std::vector<float> spacing(coarse.size(), 0.0F);
   for (std::size_t i = 0; i < coarse.size(); ++i) {
@@ -32,7 +32,7 @@ sampleSpacing(const CoarseSurface& coarse)
 PlaceMatches::PlaceMatches(const PreparedSurface& surface,
                            const CoarseSurface& coarse,
                            const std::vector<Index>& partners)
-    : surface_(surface), coarse_(coarse), offsets_(coarse.size() + 1, 0), spacing_(sampleSpacing(coarse))
+    : surface_(surface), coarse_(coarse), offsets_(coarse.size() + 1, 0), spacing_(spacingAtSamples(coarse))
 {
   const std::vector<Index>& owner = coarse.cells.owner;
   for (std::size_t i = 0; i < coarse.size(); ++i) {

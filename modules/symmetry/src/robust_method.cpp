@@ -27,13 +27,6 @@ struct SurfaceModel {
   HubSurface hubs;
 };
 
-/** What it takes to carry a map of the samples over to the points. */
-struct PointTransfer {
-  SampleInterpolation interpolation;
-  CellMembers members;
-  CellMembers probes; ///< some of them
-};
-
 /** Votes of the ordered pairs at every sample, carried over to the points and made antisymmetric under the map. */
 std::vector<float>
 pointSides(const SurfaceModel& model,
@@ -106,13 +99,6 @@ describeLimbs(const SurfaceModel& model, const SampleMap& hub_map, const Ordered
   }
 }
 
-float
-confidenceOf(const SampleEstimate& samples, const SurfaceModel& model, const ShapeDescriptor& descriptor, bool is_noisy)
-{
-  return mapConfidence({samples.score, findAsymmetry(model.hubs, descriptor.curvature, samples.hub_map), samples.fit,
-                        sampleSpacing(model.coarse) / model.hubs.diameter, is_noisy});
-}
-
 /** Candidates in their order, but one of them first. */
 std::vector<SymmetryCandidate>
 withFirst(const SymmetryCandidate& first, const std::vector<SymmetryCandidate>& candidates)
@@ -123,62 +109,119 @@ withFirst(const SymmetryCandidate& first, const std::vector<SymmetryCandidate>& 
   return ordered;
 }
 
-/** Dense maps of the symmetries among the candidates, as many as were asked for. */
-void
-appendAlternatives(const PreparedSurface& surface,
-                   const SurfaceModel& model,
-                   const ShapeDescriptor& descriptor,
-                   const PointTransfer& transfer,
-                   const SampleRefinement& refinement,
-                   const std::vector<SymmetryCandidate>& candidates,
-                   const SymmetryParameters& parameters,
-                   const RobustSettings& settings,
-                   MapEstimate& estimate)
-{
-  if (parameters.alternatives <= 1) {
-    return;
-  }
-  const DistinctSymmetries distinct = distinctSymmetries(model.hubs, descriptor, candidates, settings.search,
-                                                         static_cast<std::size_t>(parameters.alternatives));
-  for (const DistinctReflection& reflection : distinct.reflections) {
-    const SampleEstimate samples = refinement.refine(reflection.candidate);
-    estimate.alternatives.push_back(
-        {partnersOfPoints(surface, model.coarse, transfer.probes, samples.partners, parameters.threads),
-         reflection.candidate.score.value,
-         confidenceOf(samples, model, descriptor, surface.summary.smoothing_radius > 0.0F), true});
-  }
-  for (const DistinctRotation& rotation : distinct.rotations) {
-    const std::vector<Index>& second = estimate.alternatives[rotation.second].partners;
-    std::vector<Index> images = estimate.alternatives[rotation.first].partners;
-    std::transform(images.begin(), images.end(), images.begin(), [&](Index image) { return second[image]; });
-    estimate.rotations.push_back({std::move(images), rotation.score.value, rotation.confidence, false});
-  }
-}
-
 /** A candidate and what became of it. */
 struct Contender {
   const SymmetryCandidate* candidate = nullptr;
   SampleEstimate samples;
 };
 
-/** Of the candidates with the best scores, refined, the one that fits best. */
-Contender
-bestContender(const SampleRefinement& refinement,
-              const std::vector<SymmetryCandidate>& candidates,
-              const RobustSettings& settings)
-{
-  Contender best;
-  for (std::size_t i = 0; i < std::min(settings.contenders, candidates.size()); ++i) {
-    if (i > 0 && candidates[i].score.value > candidates[0].score.value + settings.contender_margin) {
-      break;
+/** From candidates among the hubs to maps of all points. */
+class RobustEstimation {
+public:
+  /** All that is given is referred to, not copied. */
+  RobustEstimation(const PreparedSurface& surface,
+                   const SurfaceModel& model,
+                   const SymmetryParameters& parameters,
+                   const RobustSettings& settings)
+      : surface_(surface),
+        model_(model),
+        parameters_(parameters),
+        settings_(settings),
+        interpolation_(interpolateFromSamples(surface, model.coarse, parameters.threads)),
+        members_(membersOfCells(model.coarse)),
+        probes_(thinnedMembers(members_, settings.refinement.probes)),
+        descriptor_(describeShape(model.coarse, model.basis, settings.search.dimensions, settings.search.descriptor)),
+        refinement_(surface,
+                    model.coarse,
+                    model.basis,
+                    model.hubs,
+                    interpolation_,
+                    members_,
+                    settings.refinement,
+                    parameters.threads)
+  {
+  }
+
+  /** Of the candidates with the best scores, refined, the one that fits best. */
+  Contender
+  bestContender(const std::vector<SymmetryCandidate>& candidates) const
+  {
+    Contender best;
+    for (std::size_t i = 0; i < std::min(settings_.contenders, candidates.size()); ++i) {
+      if (i > 0 && candidates[i].score.value > candidates[0].score.value + settings_.contender_margin) {
+        break;
+      }
+      SampleEstimate samples = refinement_.refine(candidates[i]);
+      if (i == 0 || samples.value < best.samples.value) {
+        best = {&candidates[i], std::move(samples)};
+      }
     }
-    SampleEstimate estimate = refinement.refine(candidates[i]);
-    if (i == 0 || estimate.value < best.samples.value) {
-      best = {&candidates[i], std::move(estimate)};
+    return best;
+  }
+
+  float
+  confidenceOf(const SampleEstimate& samples) const
+  {
+    return mapConfidence({samples.score, findAsymmetry(model_.hubs, descriptor_.curvature, samples.hub_map),
+                          samples.fit, sampleSpacing(model_.coarse) / model_.hubs.diameter,
+                          surface_.summary.smoothing_radius > 0.0F});
+  }
+
+  /** Carries a map of the samples over to all points: partners, sides, confidences, sparse matches, limbs.
+   * \param[in,out] estimate with the confidence of the map */
+  void
+  describeMap(const SampleEstimate& samples, MapEstimate& estimate) const
+  {
+    if (!parameters_.sparse_only) {
+      estimate.partners = partnersOf(samples);
+    }
+    const OrderedPairs pairs = orderPairs(model_.hubs, samples.hub_map);
+    estimate.side_function = pointSides(model_, pairs, interpolation_, estimate.partners, parameters_.threads);
+    estimate.matches = sparseMatches(model_, samples.map, samples.partners, estimate.side_function);
+    estimate.confidences =
+        pointConfidences(model_.hubs, model_.coarse, samples.map, interpolation_, estimate.confidence);
+    describeLimbs(model_, samples.hub_map, pairs, estimate);
+  }
+
+  /** Dense maps of the symmetries among the candidates, as many as were asked for. */
+  void
+  appendAlternatives(const std::vector<SymmetryCandidate>& candidates, MapEstimate& estimate) const
+  {
+    if (parameters_.alternatives <= 1 || parameters_.sparse_only) {
+      return;
+    }
+    const DistinctSymmetries distinct = distinctSymmetries(model_.hubs, descriptor_, candidates, settings_.search,
+                                                           static_cast<std::size_t>(parameters_.alternatives));
+    for (const DistinctReflection& reflection : distinct.reflections) {
+      const SampleEstimate samples = refinement_.refine(reflection.candidate);
+      estimate.alternatives.push_back(
+          {partnersOf(samples), reflection.candidate.score.value, confidenceOf(samples), true});
+    }
+    for (const DistinctRotation& rotation : distinct.rotations) {
+      const std::vector<Index>& second = estimate.alternatives[rotation.second].partners;
+      std::vector<Index> images = estimate.alternatives[rotation.first].partners;
+      std::transform(images.begin(), images.end(), images.begin(), [&](Index image) { return second[image]; });
+      estimate.rotations.push_back({std::move(images), rotation.score.value, rotation.confidence, false});
     }
   }
-  return best;
-}
+
+private:
+  std::vector<Index>
+  partnersOf(const SampleEstimate& samples) const
+  {
+    return partnersOfPoints(surface_, model_.coarse, probes_, samples.partners, parameters_.threads);
+  }
+
+  const PreparedSurface& surface_;
+  const SurfaceModel& model_;
+  const SymmetryParameters& parameters_;
+  const RobustSettings& settings_;
+  SampleInterpolation interpolation_;
+  CellMembers members_;
+  CellMembers probes_; ///< some of them
+  ShapeDescriptor descriptor_;
+  SampleRefinement refinement_;
+};
 
 SurfaceModel
 modelSurface(const PreparedSurface& surface,
@@ -230,42 +273,25 @@ estimateRobust(const PreparedSurface& surface,
     return estimate;
   }
   timer.start("matching", 0.7);
-  PointTransfer transfer{
-      interpolateFromSamples(surface, model.coarse, parameters.threads), membersOfCells(model.coarse), {}};
-  transfer.probes = thinnedMembers(transfer.members, settings.refinement.probes);
-  const SampleRefinement refinement(surface, model.coarse, model.basis, model.hubs, transfer.interpolation,
-                                    transfer.members, settings.refinement, parameters.threads);
-  const Contender contender = bestContender(refinement, candidates, settings);
-  const SampleEstimate& best = contender.samples;
-  const MapScore& score = best.score.value < contender.candidate->score.value ? best.score : contender.candidate->score;
-  const ShapeDescriptor descriptor =
-      describeShape(model.coarse, model.basis, settings.search.dimensions, settings.search.descriptor);
-  const bool is_noisy = surface.summary.smoothing_radius > 0.0F;
-  const float confidence = confidenceOf(best, model, descriptor, is_noisy);
+  const RobustEstimation estimation(surface, model, parameters, settings);
+  const Contender best = estimation.bestContender(candidates);
+  const float confidence = estimation.confidenceOf(best.samples);
   estimate.confidence = confidence_of_refused * confidence;
-  if (!isReflection(score)) {
+  const MapScore& refined = best.samples.score;
+  if (!isReflection(refined.value < best.candidate->score.value ? refined : best.candidate->score)) {
     return estimate;
   }
   if (confidence < least_map_confidence) {
     estimate.message = "the best reflection of the surface fails in one place: one side has what the other lacks";
     return estimate;
   }
-  estimate.confidence = confidence;
   estimate.status = SymmetryStatus::Symmetric;
   estimate.message.clear();
+  estimate.confidence = confidence;
 
   timer.start("dense", 0.8);
-  if (!parameters.sparse_only) {
-    estimate.partners = partnersOfPoints(surface, model.coarse, transfer.probes, best.partners, parameters.threads);
-    appendAlternatives(surface, model, descriptor, transfer, refinement, withFirst(*contender.candidate, candidates),
-                       parameters, settings, estimate);
-  }
-  const OrderedPairs pairs = orderPairs(model.hubs, best.hub_map);
-  estimate.side_function = pointSides(model, pairs, transfer.interpolation, estimate.partners, parameters.threads);
-  estimate.matches = sparseMatches(model, best.map, best.partners, estimate.side_function);
-  estimate.confidences =
-      pointConfidences(model.hubs, model.coarse, best.map, transfer.interpolation, estimate.confidence);
-  describeLimbs(model, best.hub_map, pairs, estimate);
+  estimation.describeMap(best.samples, estimate);
+  estimation.appendAlternatives(withFirst(*best.candidate, candidates), estimate);
   return estimate;
 }
 
