@@ -36,7 +36,7 @@ private:
     void
     operator()(float* floats) const
     {
-      std::free(floats);
+      std::free(floats); // NOLINT(cppcoreguidelines-no-malloc): as aligned_alloc () wants it
     }
   };
 

@@ -13,7 +13,7 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief A way to measure distances between the vertices of one surface. Thread-safe. */
-class SurfaceMetric {
+class SurfaceMetric { // NOLINT(cppcoreguidelines-special-member-functions): an interface
 public:
   virtual ~SurfaceMetric() = default;
 

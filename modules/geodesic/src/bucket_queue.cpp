@@ -40,7 +40,8 @@ BucketQueue::BucketQueue(const SurfaceGraph& graph) : graph_(graph)
   for (std::size_t e = 0; e < count; e += step) {
     sum += graph.lengths[e];
   }
-  double width = count == 0 ? 1.0 : 0.5 * sum / static_cast<double>((count + step - 1) / step);
+  const std::size_t summed = (count + step - 1) / step;
+  double width = count == 0 ? 1.0 : 0.5 * sum / static_cast<double>(summed);
   width = std::max(width, static_cast<double>(longest) / static_cast<double>(largest_ring - 4));
   if (!(width > 0.0)) {
     width = 1.0; // every edge has length zero

@@ -24,7 +24,7 @@ preferLargePages(void* memory, std::size_t bytes)
   const std::uintptr_t begin = (address + small_page - 1) / small_page * small_page;
   const std::uintptr_t end = (address + bytes) / small_page * small_page;
   if (bytes >= large_page) {
-    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE); // NOLINT(performance-no-int-to-ptr)
   }
 #else
   static_cast<void>(memory);

@@ -140,4 +140,5 @@ IntrinsicSymmetryEstimation<PointT>::compute(IntrinsicSymmetryResult& result)
 
 } // namespace pcl
 
+// NOLINTNEXTLINE(readability-identifier-naming): PCL names these macros so
 #define PCL_INSTANTIATE_IntrinsicSymmetryEstimation(T) template class pcl::IntrinsicSymmetryEstimation<T>;
