@@ -1,6 +1,7 @@
 #include "support/coarse_body.h"
 #include "symmetry/part_turns.h"
 #include "symmetry/patch_alignment.h"
+#include "symmetry/place_matches.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -136,6 +137,32 @@ TEST(MutualPartners, DrawAScatteredMapTogether)
   const std::vector<Index> smooth = mutualPartners(body.surface, body.coarse, members, rough, 3, 1);
   EXPECT_LT(errorOf(body, smooth), 0.6F * errorOf(body, rough));
   EXPECT_EQ(smooth, mutualPartners(body.surface, body.coarse, members, rough, 3, 5));
+}
+
+TEST(PlaceMatches, AreReadBothWays)
+{
+  const CoarseBody& body = human();
+  const std::vector<Index> truth = truePartners(body);
+  const std::vector<Index>& samples = body.coarse.cells.vertices;
+  // One half knows its partners, the other one is lost: all of it is sent to one point.
+  const Index nowhere = samples[0];
+  std::vector<Index> partners = truth;
+  for (std::size_t i = 0; i < partners.size(); ++i) {
+    if (samples[i] > truth[i]) {
+      partners[i] = nowhere;
+    }
+  }
+  const PlaceMatches matches(body.surface, body.coarse, partners);
+  float from_nowhere = 0.0F;
+  float from_truth = 0.0F;
+  for (std::size_t i = 0; i < partners.size(); ++i) {
+    if (samples[i] < truth[i]) {
+      const Vector3 image = matches.imageOf(truth[i]);
+      from_nowhere += distance(body.surface.points[nowhere], body.surface.points[samples[i]]);
+      from_truth += distance(image, body.surface.points[samples[i]]);
+    }
+  }
+  EXPECT_LT(from_truth, 0.7F * from_nowhere); // the half that knows speaks for both
 }
 
 TEST(PatchAlignment, BringsAScatteredMapIntoPlace)
