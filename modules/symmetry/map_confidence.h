@@ -5,7 +5,6 @@
 
 #include "symmetry/map_asymmetry.h"
 #include "symmetry/map_score.h"
-#include "symmetry/patch_alignment.h"
 #include "symmetry/sample_interpolation.h"
 
 #include <vector>
