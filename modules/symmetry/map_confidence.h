@@ -5,7 +5,6 @@
 
 #include "symmetry/map_asymmetry.h"
 #include "symmetry/map_score.h"
-#include "symmetry/patch_alignment.h"
 #include "symmetry/sample_interpolation.h"
 
 #include <vector>
@@ -36,24 +35,26 @@ candidateConfidence(const MapScore& score, const AsymmetrySigns& signs);
 
 /** \brief What speaks for and against a refined map. */
 struct MapEvidence {
-  MapScore score;
+  MapScore score;               ///< of the refined map
+  float rough_curvature = 0.0F; ///< MapScore::curvature before: refinement lays curved places on each other if it can
   AsymmetrySigns signs;
-  PatchFit fit{0.0F, 0.0F}; ///< mean over the patches
-  float spacing = 0.0F;     ///< of the samples, share of the diameter: what is as coarse cannot fit better
-  bool is_noisy = false;    ///< the surface is that of a cloud which had to be smoothed: part of the misfit is noise
+  float distance = 0.0F; ///< of the patches from their images, share of the diameter: SampleEstimate::usual_distance
+  float turn = 0.0F;     ///< of their normals: mean PatchFit::turn
+  bool is_noisy = false; ///< the surface is that of a cloud which had to be smoothed: part of the misfit is noise
 };
 
 /** \brief Confidence of a whole map in [0, 1]: how likely it is a right map of a symmetric surface.
  *
- * A logistic function of the fit of the patches, of the stretch that remains, and of the score, relative to the spacing
- * of the samples. Its weights were fitted to right and wrong maps of scans and of generated bodies, symmetric and not,
- * as meshes, clouds and noisy clouds.
+ * A logistic function of the usual misfit of the patches, of the stretch at the worst places relative to the distortion
+ * of the whole (an odd limb stretches its surroundings only; a pose or coarse samples, everything), of the curvature,
+ * and of what stands still beyond a head, a tail and a seam: an odd limb is mirrored in itself. Its weights were fitted
+ * to right and wrong maps of scans and of generated bodies, symmetric and not, as meshes, clouds and noisy clouds.
  */
 float
 mapConfidence(const MapEvidence& evidence);
 
 /** \brief A reflection of lower confidence is none: one side has what the other lacks. */
-constexpr float least_map_confidence = 0.11F;
+constexpr float least_map_confidence = 0.12F;
 
 /** \brief Share of the confidence that is left to a map that is not handed out: what spoke against it counts as well.
  */

@@ -213,7 +213,7 @@ TEST_P(AsymmetricBodyTest, HasNoSymmetry)
 
 INSTANTIATE_TEST_SUITE_P(Mesh,
                          AsymmetricBodyTest,
-                         testing::Values(Body::Helix, Body::Hand, Body::MissingArm),
+                         testing::Values(Body::Helix, Body::Hand, Body::MissingArm, Body::MissingLeg, Body::ThirdArm),
                          [](const auto& tested) {
                            std::string name = toString(tested.param);
                            name.erase(std::remove(name.begin(), name.end(), '-'), name.end());

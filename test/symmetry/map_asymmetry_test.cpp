@@ -109,29 +109,36 @@ TEST(CandidateConfidence, FallsWithEverySignOfAsymmetryAndWithWhatStandsStill)
   EXPECT_LT(candidateConfidence(finding.score, finding.signs), finding.confidence);
 }
 
+/** The medians of right maps of scans. */
+MapEvidence
+evidenceOfRightMap()
+{
+  MapEvidence right;
+  right.score.value = -1.8F;
+  right.score.fixed = 0.15F;
+  right.score.curvature = 0.45F;
+  right.rough_curvature = 0.28F;
+  right.signs.stretch = 0.07F;
+  right.signs.involution = 0.009F;
+  right.distance = 0.0025F;
+  right.turn = 0.04F;
+  return right;
+}
+
 TEST(MapConfidence, FallsWithWhatSpeaksAgainstARightMap)
 {
-  MapEvidence right; // the medians of right maps of scans
-  right.score.reversal = 0.8F;
-  right.score.curvature = 0.4F;
-  right.signs.stretch = 0.07F;
-  right.signs.involution = 0.013F;
-  right.fit = {0.0035F, 0.045F};
-  right.spacing = 0.02F;
+  const MapEvidence right = evidenceOfRightMap();
   const float confidence = mapConfidence(right);
-  EXPECT_GT(confidence, 0.9F);
+  EXPECT_GT(confidence, 0.8F);
 
   MapEvidence other = right;
-  other.fit.distance *= 2.0F;
-  EXPECT_LT(mapConfidence(other), confidence);
-  other = right;
-  other.score.reversal -= 0.1F;
+  other.distance *= 1.5F;
   EXPECT_LT(mapConfidence(other), confidence);
   other = right;
   other.score.curvature += 0.3F;
   EXPECT_LT(mapConfidence(other), confidence);
   other = right;
-  other.spacing *= 0.5F; // finer samples ought to fit better
+  other.rough_curvature += 0.3F;
   EXPECT_LT(mapConfidence(other), confidence);
   other = right;
   other.signs.stretch *= 2.0F;
@@ -141,13 +148,37 @@ TEST(MapConfidence, FallsWithWhatSpeaksAgainstARightMap)
   EXPECT_GT(mapConfidence(other), stretched);
 }
 
+TEST(MapConfidence, FallsWithWhatStandsStillBeyondAHeadATailAndASeam)
+{
+  MapEvidence evidence = evidenceOfRightMap();
+  const auto at = [&](float fixed) {
+    evidence.score.fixed = fixed;
+    return mapConfidence(evidence);
+  };
+  EXPECT_EQ(at(0.05F), at(0.2F));
+  EXPECT_LT(at(0.25F), at(0.2F));
+  EXPECT_LT(at(0.3F), at(0.25F));
+  EXPECT_EQ(at(0.3F), at(0.6F));
+}
+
+TEST(MapConfidence, DoubtsStretchInOnePlaceMoreThanStretchEverywhere)
+{
+  MapEvidence evidence = evidenceOfRightMap();
+  evidence.signs.stretch *= 2.0F;
+  const float in_one_place = mapConfidence(evidence);
+  evidence.score.value += 0.5F;
+  evidence.signs.involution *= 2.0F;
+  EXPECT_GT(mapConfidence(evidence), in_one_place);
+}
+
 TEST(MapConfidence, IsBounded)
 {
   for (const float extreme : {0.0F, 1.0F, 1e6F}) {
     MapEvidence evidence;
     evidence.signs.stretch = extreme;
-    evidence.fit = {extreme, extreme};
-    evidence.spacing = extreme;
+    evidence.distance = extreme;
+    evidence.turn = extreme;
+    evidence.rough_curvature = extreme;
     const float confidence = mapConfidence(evidence);
     EXPECT_TRUE(confidence >= 0.0F && confidence <= 1.0F) << extreme;
   }

@@ -65,12 +65,16 @@ mapConfidence(const MapEvidence& evidence)
   constexpr float little_stretch = 0.01F;
   constexpr float little_turn = 0.005F;
   constexpr float largest_curvature = 1.5F;
-  // What normals and the involution add grows with the coarseness of the samples: it normalises the rest.
-  return logistic(-7.3F - 5.2F * std::log(evidence.signs.stretch + little_stretch) -
-                  4.5F * std::log(evidence.fit.distance + tiny) + 1.6F * std::log(evidence.signs.involution + tiny) +
-                  2.1F * std::log(evidence.fit.turn + little_turn) + 6.7F * evidence.score.reversal -
-                  1.2F * std::min(evidence.score.curvature, largest_curvature) +
-                  4.3F * std::log(evidence.spacing + tiny) + (evidence.is_noisy ? 3.1F : 0.0F));
+  constexpr float usually_fixed = 0.2F; // the head, tail and seam of an animal
+  constexpr float largest_fixed = 0.3F; // with limbs in contact; more is for the score to judge
+  const float fixed_beyond = std::clamp(evidence.score.fixed, usually_fixed, largest_fixed) - usually_fixed;
+  // Involution, turn and score grow with the coarseness of the samples and with a pose: they normalise the rest.
+  return logistic(-35.6F - 9.3F * std::log(evidence.signs.stretch + little_stretch) -
+                  9.9F * std::log(evidence.distance + tiny) + 2.6F * std::log(evidence.signs.involution + tiny) +
+                  2.8F * std::log(evidence.turn + little_turn) + 4.4F * evidence.score.value -
+                  6.4F * std::min(evidence.score.curvature, largest_curvature) -
+                  7.9F * std::min(evidence.rough_curvature, largest_curvature) - 64.0F * fixed_beyond +
+                  (evidence.is_noisy ? 5.2F : 0.0F));
 }
 
 std::vector<float>

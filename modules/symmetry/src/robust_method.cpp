@@ -160,11 +160,11 @@ public:
   }
 
   float
-  confidenceOf(const SampleEstimate& samples) const
+  confidenceOf(const SymmetryCandidate& candidate, const SampleEstimate& samples) const
   {
-    return mapConfidence({samples.score, findAsymmetry(model_.hubs, descriptor_.curvature, samples.hub_map),
-                          samples.fit, sampleSpacing(model_.coarse) / model_.hubs.diameter,
-                          surface_.summary.smoothing_radius > 0.0F});
+    return mapConfidence({samples.score, candidate.score.curvature,
+                          findAsymmetry(model_.hubs, descriptor_.curvature, samples.hub_map), samples.usual_distance,
+                          samples.fit.turn, surface_.summary.smoothing_radius > 0.0F});
   }
 
   /** Carries a map of the samples over to all points: partners, sides, confidences, sparse matches, limbs.
@@ -195,7 +195,7 @@ public:
     for (const DistinctReflection& reflection : distinct.reflections) {
       const SampleEstimate samples = refinement_.refine(reflection.candidate);
       estimate.alternatives.push_back(
-          {partnersOf(samples), reflection.candidate.score.value, confidenceOf(samples), true});
+          {partnersOf(samples), reflection.candidate.score.value, confidenceOf(reflection.candidate, samples), true});
     }
     for (const DistinctRotation& rotation : distinct.rotations) {
       const std::vector<Index>& second = estimate.alternatives[rotation.second].partners;
@@ -275,7 +275,7 @@ estimateRobust(const PreparedSurface& surface,
   timer.start("matching", 0.7);
   const RobustEstimation estimation(surface, model, parameters, settings);
   const Contender best = estimation.bestContender(candidates);
-  const float confidence = estimation.confidenceOf(best.samples);
+  const float confidence = estimation.confidenceOf(*best.candidate, best.samples);
   estimate.confidence = confidence_of_refused * confidence;
   const MapScore& refined = best.samples.score;
   if (!isReflection(refined.value < best.candidate->score.value ? refined : best.candidate->score)) {

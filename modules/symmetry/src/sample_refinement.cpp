@@ -51,6 +51,17 @@ logMisfit(const PatchFit& fit)
 
 } // namespace
 
+float
+usualDistance(const std::vector<PatchFit>& fits)
+{
+  constexpr float tiny = 1e-3F; // of the diameter: better fits are alike
+  double sum = 0.0;
+  for (const PatchFit& fit : fits) {
+    sum += std::log(fit.distance + tiny);
+  }
+  return fits.empty() ? 0.0F : static_cast<float>(std::exp(sum / static_cast<double>(fits.size()))) - tiny;
+}
+
 SampleRefinement::SampleRefinement(const PreparedSurface& surface,
                                    const CoarseSurface& coarse,
                                    const LaplacianBasis& basis,
@@ -110,7 +121,9 @@ SampleRefinement::refine(const SymmetryCandidate& candidate) const
   estimate.score = scoreMap(hubs_, guide_, estimate.hub_map, settings_.score_queries, settings_.score);
   estimate.value = estimate.score.value;
   if (!alignments_.empty()) {
-    estimate.fit = meanOf(alignments_.back().fits(partners, threads_));
+    const std::vector<PatchFit> fits = alignments_.back().fits(partners, threads_);
+    estimate.fit = meanOf(fits);
+    estimate.usual_distance = usualDistance(fits);
     estimate.value += settings_.fit * logMisfit(estimate.fit);
   }
   return estimate;
