@@ -40,8 +40,9 @@ struct ContactTest {
  * their shortest distrusted edges; parts that even the plain graph leaves apart, by links across the gap between them.
  * \param[in] points all finite
  * \param[in] lists k nearest neighbours
- * \param[in] given_normals used instead of estimated ones; their orientation is trusted; may be empty
- * \param[in] radius longest edge, 0: no limit
+ * \param[in] given_normals used instead of estimated ones; their orientation is trusted as \a is_oriented says; may be
+ * empty \param[in] radius longest edge, 0: no limit \param[in] is_oriented for which of the given normals that is so;
+ * empty: all. The others are turned to agree with these
  */
 CloudSurface
 buildCloudSurface(const std::vector<Vector3>& points,
@@ -49,7 +50,8 @@ buildCloudSurface(const std::vector<Vector3>& points,
                   const std::vector<Vector3>& given_normals,
                   float radius,
                   const ContactTest& contact,
-                  unsigned threads);
+                  unsigned threads,
+                  const std::vector<char>& is_oriented = {});
 
 } // namespace symmetry
 } // namespace pcl

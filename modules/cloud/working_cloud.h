@@ -15,8 +15,18 @@ struct WorkingCloud {
   std::vector<Vector3> points;        ///< moved onto the surface where the cloud is thick with noise
   std::vector<Index> original;        ///< point of the cloud that each of them was
   std::vector<Index> representatives; ///< for every point of the cloud the working point nearest to it; -1: an outlier
+  /** Of the points, unit length; empty unless merged sheets were parted. */
+  std::vector<Vector3> normals;
+  std::vector<char> is_oriented; ///< whether a normal is known to point outwards, or into the other body in contact
   std::size_t outliers = 0;
   float smoothing_radius = 0.0F; ///< of the planes that noise was smoothed by; 0: the cloud was thin already
+};
+
+/** \brief How the layers of points of a noisy cloud are read; a cloud without noise reads the same in all ways. */
+enum class NoiseReading {
+  Smooth, ///< with neighbourhoods as large as the curvature allows: the best view of a surface that touches nothing
+  Close,  ///< with as small ones as the noise allows: parts that nearly touch stay apart
+  Parted  ///< close, and a layer of points with no outside on either side is two sheets in contact, with a point each
 };
 
 /** \brief Prepares a cloud.
@@ -31,13 +41,13 @@ struct WorkingCloud {
  * \param[in] points all finite, at unit scale
  * \param[in] lists their nearest neighbours
  * \param[in] most how many working points there may be at most
- * \param[in] smoothing_share of the radius that smooths best; a smaller one keeps more noise and more detail apart */
+ * \param[in] reading of a noisy cloud; sheets can only be parted where the surface is closed but for small holes */
 WorkingCloud
 makeWorkingCloud(const std::vector<Vector3>& points,
                  const NeighbourLists& lists,
                  std::size_t most,
                  unsigned threads,
-                 float smoothing_share = 1.0F);
+                 NoiseReading reading = NoiseReading::Smooth);
 
 } // namespace symmetry
 } // namespace pcl

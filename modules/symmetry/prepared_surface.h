@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cloud/cloud_surface.h"
+#include "cloud/working_cloud.h"
 #include "geodesic/neighbour_graph.h"
 #include "geodesic/surface_graph.h"
 
@@ -43,20 +44,21 @@ struct PreparedSurface {
 
 /** \brief What does not depend on how the contacts of a cloud are read. */
 struct UsablePoints {
-  PreparedSurface surface;   ///< without graph; of a cloud also without triangles, and with given normals only
-  NeighbourLists neighbours; ///< of a cloud
+  PreparedSurface surface;       ///< without graph; of a cloud also without triangles, and with given normals only
+  NeighbourLists neighbours;     ///< of a cloud
+  std::vector<char> is_oriented; ///< see WorkingCloud; where empty, normals are oriented all or there are none
 };
 
 /** \brief Drops what cannot be used and normalises the rest; goes over to the working points of a cloud.
  * \param[in] surface the input; triangle indices must be in range
  * \param[in] search nearest-neighbour search; used for clouds only
- * \param[in] smoothing_share see makeWorkingCloud ()
+ * \param[in] reading see makeWorkingCloud ()
  */
 UsablePoints
 usablePoints(const Surface& surface,
              const SymmetryParameters& parameters,
              const NeighbourSearch& search,
-             float smoothing_share = 1.0F);
+             NoiseReading reading = NoiseReading::Smooth);
 
 /** \brief Builds the graph and restricts the surface to its largest component.
  * \param[in] contact how readily edges of a cloud are taken for shortcuts

@@ -332,4 +332,22 @@ TEST(CloudSurface, RadiusKeepsDistantPartsApart)
             (std::vector<Index>{400, 1}));
 }
 
+TEST(CloudSurface, TurnsNormalsToAgreeWithTheOrientedOnes)
+{
+  // All inwards, against what the points alone would suggest.
+  const std::vector<Vector3> points = sphereCloud(2000, 0.4F);
+  std::vector<Vector3> normals;
+  std::vector<char> is_oriented;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_known = i == 700;
+    normals.push_back((is_known || i % 3 == 0 ? -1.0F : 1.0F) * normalized(points[i]));
+    is_oriented.push_back(static_cast<char>(is_known));
+  }
+  const CloudSurface surface =
+      buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {}, 1, is_oriented);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ASSERT_LT(dot(surface.normals[i], points[i]), 0.0F) << i;
+  }
+}
+
 } // namespace

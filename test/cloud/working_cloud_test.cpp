@@ -117,16 +117,89 @@ TEST(WorkingCloud, LiesOnTheSurfaceThatNoiseHides)
   }
 }
 
-TEST(WorkingCloud, IsSmoothedLessWhenAsked)
+TEST(WorkingCloud, ReadCloselyShowsMoreOfADenseCloud)
 {
-  const std::vector<Vector3> points = noisy(sphereCloud(20000, sphere_radius), 0.01F, 5);
+  // A groove that large neighbourhoods level.
+  std::mt19937 random(31);
+  std::vector<Vector3> points;
+  while (points.size() < 60000) {
+    const float x = evenly(random, -0.5F, 0.5F);
+    const float depth = std::abs(x) < 0.05F ? 0.02F : 0.0F;
+    points.push_back({x, evenly(random, -0.25F, 0.25F), 0.004F * bellShaped(random) - depth});
+  }
   const NeighbourLists lists = nearestNeighbours(points, 10);
-  const WorkingCloud best = makeWorkingCloud(points, lists, any_number, 1);
-  const WorkingCloud closer = makeWorkingCloud(points, lists, any_number, 1, 0.7F);
-  EXPECT_NEAR(closer.smoothing_radius, 0.7F * best.smoothing_radius, 1e-5F);
-  EXPECT_GT(3 * closer.points.size(), 4 * best.points.size());
-  EXPECT_LT(meanErrorOnSphere(closer.points), meanErrorOnSphere(points));
-  expectConsistent(closer, points.size());
+  const WorkingCloud smooth = makeWorkingCloud(points, lists, any_number, 1);
+  const WorkingCloud close = makeWorkingCloud(points, lists, any_number, 1, NoiseReading::Close);
+  EXPECT_GT(close.points.size(), 2 * smooth.points.size());
+  EXPECT_TRUE(close.normals.empty());
+  expectConsistent(close, points.size());
+}
+
+/** Two noisy balls pressed together: each is flat where it touches the other, and there they have one layer. */
+std::vector<Vector3>
+ballsInContact()
+{
+  constexpr float flat_at = 0.15F;
+  std::mt19937 random(21);
+  std::vector<Vector3> points;
+  for (const float side : {-1.0F, 1.0F}) {
+    for (Vector3 p : sphereCloud(12000, 0.2F)) {
+      p[0] = std::min(p[0], flat_at) - flat_at;
+      points.push_back({side * p[0], p[1], p[2]});
+    }
+  }
+  return noisy(points, 0.004F, 22);
+}
+
+TEST(WorkingCloud, PartedHasTwoPointsWhereTwoSheetsTouch)
+{
+  const std::vector<Vector3> points = ballsInContact();
+  const NeighbourLists lists = nearestNeighbours(points, 10);
+  const WorkingCloud cloud = makeWorkingCloud(points, lists, any_number, 1, NoiseReading::Parted);
+  ASSERT_EQ(cloud.normals.size(), cloud.points.size());
+  ASSERT_EQ(cloud.is_oriented.size(), cloud.points.size());
+  ASSERT_EQ(cloud.original.size(), cloud.points.size());
+  std::size_t left = 0;
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Vector3& p = cloud.points[i];
+    const bool is_contact = std::abs(p[0]) < 0.01F && std::hypot(p[1], p[2]) < 0.08F;
+    if (!is_contact) {
+      continue;
+    }
+    // Each sheet lies in its own body, and its normal points into the other one.
+    ASSERT_NE(cloud.is_oriented[i], 0);
+    ASSERT_GT(std::abs(cloud.normals[i][0]), 0.9F);
+    ++(cloud.normals[i][0] > 0.0F ? left : right);
+  }
+  EXPECT_GT(left, 20U);
+  EXPECT_EQ(left, right);
+  std::size_t outward = 0;
+  std::size_t inward = 0;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Vector3& p = cloud.points[i];
+    if (cloud.is_oriented[i] != 0 && std::abs(p[0]) > 0.1F) {
+      const Vector3 centre{p[0] < 0.0F ? -0.15F : 0.15F, 0.0F, 0.0F};
+      ++(dot(cloud.normals[i], p - centre) > 0.0F ? outward : inward);
+    }
+  }
+  EXPECT_GT(outward, 100U);
+  EXPECT_EQ(inward, 0U);
+}
+
+TEST(WorkingCloud, PartedLetsBothSheetsStandForPointsOfTheCloud)
+{
+  const std::vector<Vector3> points = ballsInContact();
+  const WorkingCloud cloud =
+      makeWorkingCloud(points, nearestNeighbours(points, 10), any_number, 1, NoiseReading::Parted);
+  std::vector<std::size_t> represented(cloud.points.size(), 0);
+  for (const Index i : cloud.representatives) {
+    if (i != no_index) {
+      ++represented[i];
+    }
+  }
+  EXPECT_GT(std::count_if(represented.begin(), represented.end(), [](std::size_t n) { return n > 0; }),
+            static_cast<std::ptrdiff_t>(9 * cloud.points.size() / 10));
 }
 
 TEST(WorkingCloud, OfANoisyCloudLeavesOutStrayPoints)

@@ -79,7 +79,10 @@ estimateNormals(const std::vector<Vector3>& points, const NeighbourLists& neighb
 }
 
 void
-orientNormals(const std::vector<Vector3>& points, const SurfaceGraph& graph, std::vector<Vector3>& normals)
+orientNormals(const std::vector<Vector3>& points,
+              const SurfaceGraph& graph,
+              const std::vector<char>& is_oriented,
+              std::vector<Vector3>& normals)
 {
   Vector3 centroid{0.0F, 0.0F, 0.0F};
   for (const Vector3& p : points) {
@@ -101,14 +104,7 @@ orientNormals(const std::vector<Vector3>& points, const SurfaceGraph& graph, std
       }
     }
   };
-  for (const Index start : starts) {
-    if (done[start] != 0) {
-      continue;
-    }
-    if (dot(normals[start], points[start] - centroid) < 0.0F) {
-      normals[start] = -1.0F * normals[start];
-    }
-    settle(start);
+  const auto spread = [&] {
     while (!front.empty()) {
       const Front edge = front.top();
       front.pop();
@@ -123,6 +119,22 @@ orientNormals(const std::vector<Vector3>& points, const SurfaceGraph& graph, std
       }
       settle(edge.to);
     }
+  };
+  for (std::size_t v = 0; v < is_oriented.size(); ++v) {
+    if (is_oriented[v] != 0) {
+      settle(static_cast<Index>(v));
+    }
+  }
+  spread();
+  for (const Index start : starts) {
+    if (done[start] != 0) {
+      continue;
+    }
+    if (dot(normals[start], points[start] - centroid) < 0.0F) {
+      normals[start] = -1.0F * normals[start];
+    }
+    settle(start);
+    spread();
   }
 }
 

@@ -3,6 +3,7 @@
 #include "cloud/cloud_normals.h"
 #include "cloud/local_delaunay.h"
 #include "cloud/point_grid.h"
+#include "geodesic/median.h"
 #include "geodesic/shortest_paths.h"
 #include "geodesic/vector_math.h"
 
@@ -31,15 +32,6 @@ edgesOf(const SurfaceGraph& graph)
     }
   }
   return edges;
-}
-
-/** The upper one of the middle two. */
-float
-median(std::vector<float> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return values.empty() ? 0.0F : *middle;
 }
 
 /** Median length of the edges at each point: the local spacing. */
@@ -277,7 +269,8 @@ buildCloudSurface(const std::vector<Vector3>& points,
                   const std::vector<Vector3>& given_normals,
                   float radius,
                   const ContactTest& contact,
-                  unsigned threads)
+                  unsigned threads,
+                  const std::vector<char>& is_oriented)
 {
   const SurfaceGraph plain = buildNeighbourGraph(points, lists, radius);
   const std::vector<GraphEdge> gaps = radius > 0.0F ? std::vector<GraphEdge>{} : linksAcrossGaps(points, plain);
@@ -295,11 +288,11 @@ buildCloudSurface(const std::vector<Vector3>& points,
         std::max(std::abs(dot(direction, cloud.normals[edge.a])), std::abs(dot(direction, cloud.normals[edge.b])));
     return along > steep && edge.length > short_edge * std::min(spacing[edge.a], spacing[edge.b]);
   });
-  if (given_normals.empty()) {
+  if (given_normals.empty() || !is_oriented.empty()) {
     std::vector<GraphEdge> whole = trusted;
     std::vector<GraphEdge> rest = distrusted;
     bridgeParts(points.size(), whole, rest);
-    orientNormals(points, buildGraph(points.size(), whole), cloud.normals);
+    orientNormals(points, buildGraph(points.size(), whole), is_oriented, cloud.normals);
   }
   separateEdges(trusted, distrusted, [&](const GraphEdge& edge) {
     return dot(cloud.normals[edge.a], cloud.normals[edge.b]) < contact.bend;

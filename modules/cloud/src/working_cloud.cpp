@@ -1,10 +1,12 @@
 #include "cloud/working_cloud.h"
 
+#include "cloud/merged_sheets.h"
+#include "cloud/outside_space.h"
 #include "cloud/point_grid.h"
+#include "cloud/sheet_smoothing.h"
+#include "geodesic/median.h"
 #include "geodesic/parallel.h"
 #include "geodesic/vector_math.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -14,17 +16,6 @@
 namespace pcl {
 namespace symmetry {
 namespace {
-
-float
-median(std::vector<float> values)
-{
-  if (values.empty()) {
-    return 0.0F;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /** Mean distance of every point to its neighbours. */
 std::vector<float>
@@ -62,153 +53,6 @@ findOutliers(const NeighbourLists& lists, const std::vector<float>& mean_distanc
     }
   }
   return outlier;
-}
-
-/** Plane through the mean of the points around a place. */
-struct LocalPlane {
-  Vector3 mean{};
-  Vector3 normal{};
-  float thickness = 0.0F; ///< root mean square distance of the points from it
-  float support = 0.0F;   ///< sum of the weights
-};
-
-/** The points nearer to a place than a radius, which is the edge of the grid's cubes. */
-void
-gatherAround(const std::vector<Vector3>& points,
-             const PointGrid& grid,
-             const Vector3& place,
-             float radius,
-             std::vector<Vector3>& gathered)
-{
-  gathered.clear();
-  grid.visitAround(place, [&](Index i) {
-    if (distance(points[i], place) < radius) {
-      gathered.push_back(points[i]);
-    }
-  });
-}
-
-/** 1 in the middle, 0 from one unit off on. */
-float
-biweight(float squared)
-{
-  return squared < 1.0F ? (1.0F - squared) * (1.0F - squared) : 0.0F;
-}
-
-/** \param[in] weight of a point at an offset from the place, in units of the radius */
-template <typename Weight>
-LocalPlane
-fitPlane(const std::vector<Vector3>& around, const Vector3& place, float radius, Weight weight)
-{
-  Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
-  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-  LocalPlane plane{place, {0.0F, 0.0F, 1.0F}, 0.0F, 0.0F};
-  for (const Vector3& p : around) {
-    const Vector3 offset = (1.0F / radius) * (p - place);
-    const float w = weight(offset);
-    const Eigen::Vector3f x(offset[0], offset[1], offset[2]);
-    mean += w * x;
-    covariance += w * x * x.transpose();
-    plane.support += w;
-  }
-  if (plane.support <= 0.0F) {
-    return plane;
-  }
-  mean /= plane.support;
-  covariance = covariance / plane.support - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
-  solver.computeDirect(covariance);
-  const Eigen::Vector3f normal = solver.eigenvectors().col(0);
-  if (normal.allFinite()) {
-    plane.normal = normalized({normal.x(), normal.y(), normal.z()});
-  }
-  plane.mean = place + radius * Vector3{mean.x(), mean.y(), mean.z()};
-  plane.thickness = radius * std::sqrt(std::max(0.0F, solver.eigenvalues()(0)));
-  return plane;
-}
-
-/** Plane through all points around a place; the farther they are, the less they count. */
-LocalPlane
-fitPlane(const std::vector<Vector3>& around, const Vector3& place, float radius)
-{
-  return fitPlane(around, place, radius, [](const Vector3& offset) { return biweight(dot(offset, offset)); });
-}
-
-/** Plane through those points around a place that are on its own sheet of the surface: points also count the less the
- * farther they are from the plane through the place, and from \a width on not at all. */
-LocalPlane
-fitSheet(const std::vector<Vector3>& around, const Vector3& place, const Vector3& normal, float radius, float width)
-{
-  const float radii_per_width = radius / width;
-  return fitPlane(around, place, radius, [&](const Vector3& offset) {
-    const float height = radii_per_width * dot(offset, normal);
-    return biweight(dot(offset, offset)) * biweight(height * height);
-  });
-}
-
-/** Every so many-th point, so that about \a most are left; all if there are no more. */
-std::vector<Vector3>
-everyFew(const std::vector<Vector3>& points, std::size_t most)
-{
-  const std::size_t stride = std::max<std::size_t>(1, points.size() / std::max<std::size_t>(1, most));
-  std::vector<Vector3> chosen;
-  for (std::size_t i = 0; i < points.size(); i += stride) {
-    chosen.push_back(points[i]);
-  }
-  return chosen;
-}
-
-/** Median thickness of neighbourhoods over their radius; a ball has 0.33. */
-float
-relativeThickness(const std::vector<Vector3>& points, float radius)
-{
-  constexpr std::size_t probes = 600;
-  const PointGrid grid(points, radius);
-  std::vector<float> thickness;
-  std::vector<Vector3> around;
-  for (const Vector3& place : everyFew(points, probes)) {
-    gatherAround(points, grid, place, radius, around);
-    thickness.push_back(fitPlane(around, place, radius).thickness / radius);
-  }
-  return median(std::move(thickness));
-}
-
-/** How a noisy cloud is smoothed. */
-struct Smoothing {
-  float radius = 0.0F;  ///< of the neighbourhoods that sheets are fitted to; 0: there is no noise to speak of
-  float width = 0.0F;   ///< half the thickness of a sheet
-  float spacing = 0.0F; ///< of points that show all that is left to see
-};
-
-/** The radius at which neighbourhoods are flattest for their size: below it noise makes them thick, above it the
- * curvature of the surface. None where they are flat at the spacing, or hardly thick there and, since that comes from
- * curvature, thicker at once above it. The width is that of the flattest neighbourhoods, which curvature makes thicker
- * than the noise alone: a narrower one would keep noise that happens to bunch. */
-Smoothing
-findSmoothing(const std::vector<Vector3>& points, float spacing)
-{
-  constexpr float first = 2.2F;    // spacings; with fewer points around, any plane fits
-  constexpr float largest = 0.06F; // of the longest side
-  constexpr float step = 1.25F;
-  constexpr float flat = 0.09F;
-  constexpr float fewest = 6.0F;   // spacings; with fewer points around, planes are uncertain
-  constexpr float step_up = 1.25F; // with more points the planes gain in certainty more than they lose
-  constexpr float spacings_per_radius = 6.0F;
-  constexpr float width_of_thickness = 3.0F; // the thickness is a standard deviation
-  Smoothing best;
-  float flattest = std::numeric_limits<float>::infinity();
-  for (float radius = first * spacing; radius > 0.0F && radius < largest; radius *= step) {
-    const float thickness = relativeThickness(points, radius);
-    if (best.radius == 0.0F && thickness < flat) {
-      return {};
-    }
-    if (thickness < flattest) {
-      flattest = thickness;
-      best = {std::max(step_up * radius, fewest * spacing), width_of_thickness * thickness * radius,
-              radius / spacings_per_radius};
-    }
-  }
-  return best;
 }
 
 /** Numbers of points no two of which are closer than a spacing, and all others are within it of one of them. */
@@ -260,92 +104,42 @@ nearestKept(const std::vector<Vector3>& points, const std::vector<Index>& kept, 
   return nearest;
 }
 
-constexpr std::size_t enough = 500; // points for a plane
-
-/** Number of points within a radius that nine of ten neighbourhoods have. */
-std::size_t
-fewestAround(const std::vector<Vector3>& points, float radius)
-{
-  constexpr std::size_t probes = 300;
-  const PointGrid grid(points, radius);
-  std::vector<std::size_t> numbers;
-  std::vector<Vector3> around;
-  for (const Vector3& place : everyFew(points, probes)) {
-    gatherAround(points, grid, place, radius, around);
-    numbers.push_back(around.size());
-  }
-  const auto tenth = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 10);
-  std::nth_element(numbers.begin(), tenth, numbers.end());
-  return *tenth;
-}
-
-/** Moves a place onto its sheet; the share of the weight of all points around that is within the sheet. */
-float
-moveToSheet(Vector3& place, const std::vector<Vector3>& around, const Smoothing& smoothing)
-{
-  constexpr int rounds = 4; // each takes a place nearer to the middle of its sheet by more than a half
-  const LocalPlane all = fitPlane(around, place, smoothing.radius);
-  LocalPlane sheet = all;
-  for (int round = 0; round < rounds; ++round) {
-    sheet = fitSheet(around, place, sheet.normal, smoothing.radius, smoothing.width);
-    place = place - dot(place - sheet.mean, sheet.normal) * sheet.normal;
-  }
-  return all.support > 0.0F ? sheet.support / all.support : 0.0F;
-}
-
-/** Moves places onto the sheets of the surface around them; how many points support each, 0 where most points around
- * are on other sheets. Where two sheets are nearer to each other than the radius each place stays with its own (robust
- * moving least squares, as S. Fleishman et al.: Robust moving least-squares fitting with sharp features, 2005). */
-std::vector<float>
-moveToSheets(std::vector<Vector3>& places,
-             const std::vector<Vector3>& points,
-             const Smoothing& smoothing,
-             unsigned threads)
-{
-  constexpr float least_share = 0.1F; // of a stray point; at a fork of sheets it is larger
-  std::vector<float> support(places.size(), 0.0F);
-  const PointGrid grid(points, smoothing.radius);
-  constexpr std::size_t grain = 64;
-  parallelBlocks(places.size(), grain, threads, [&] {
-    return [&, around = std::vector<Vector3>()](std::size_t begin, std::size_t end) mutable {
-      for (std::size_t v = begin; v < end; ++v) {
-        gatherAround(points, grid, places[v], smoothing.radius, around);
-        const auto number = static_cast<float>(around.size());
-        around = everyFew(around, enough);
-        const float share = moveToSheet(places[v], around, smoothing);
-        support[v] = share < least_share ? 0.0F : share * number;
-      }
-    };
-  });
-  return support;
-}
-
 /** Some points of a cloud, with the places that they were moved to. */
 struct Selection {
-  std::vector<Index> chosen;   ///< numbers in the cloud
-  std::vector<Vector3> places; ///< of the chosen ones
-  std::vector<Index> nearest;  ///< for every point of the cloud the entry that stands for it, no_index: an outlier
+  std::vector<Index> chosen;    ///< numbers in the cloud
+  std::vector<Vector3> places;  ///< of the chosen ones
+  std::vector<Vector3> normals; ///< of the sheets there; empty if nothing was smoothed
+  std::vector<Index> nearest;   ///< for every point of the cloud the entry that stands for it, no_index: an outlier
 };
 
 Selection
 allPoints(const std::vector<Vector3>& points)
 {
-  Selection all{std::vector<Index>(points.size()), points, {}};
+  Selection all{std::vector<Index>(points.size()), points, {}, {}};
   std::iota(all.chosen.begin(), all.chosen.end(), 0);
   all.nearest = all.chosen;
   return all;
+}
+
+template <typename Value>
+void
+keepEntries(std::vector<Value>& values, const std::vector<Index>& kept)
+{
+  for (std::size_t i = 0; i < kept.size(); ++i) { // ascending: nothing is overwritten that is still needed
+    values[i] = values[kept[i]];
+  }
+  values.resize(kept.size());
 }
 
 /** Goes over to the given entries. \param[in] stand_in for every entry now: which of those stands for it */
 void
 select(Selection& selection, const std::vector<Index>& kept, const std::vector<Index>& stand_in)
 {
-  for (std::size_t i = 0; i < kept.size(); ++i) { // ascending: nothing is overwritten that is still needed
-    selection.chosen[i] = selection.chosen[kept[i]];
-    selection.places[i] = selection.places[kept[i]];
+  keepEntries(selection.chosen, kept);
+  keepEntries(selection.places, kept);
+  if (!selection.normals.empty()) {
+    keepEntries(selection.normals, kept);
   }
-  selection.chosen.resize(kept.size());
-  selection.places.resize(kept.size());
   for (Index& entry : selection.nearest) {
     entry = entry == no_index ? no_index : stand_in[entry];
   }
@@ -358,21 +152,47 @@ selectSpaced(Selection& selection, float spacing, unsigned threads)
   select(selection, kept, nearestKept(selection.places, kept, spacing, threads));
 }
 
+/** Support of the middle of the surface: half of it has more. Places that are as dense as the points of the cloud stand
+ * for unequal areas; what is alone is no surface, however large the gap to the next. */
+float
+typicalSupport(const SheetPlaces& sheets)
+{
+  constexpr float widest = 3.0F; // times the median gap
+  const float largest = widest * median(sheets.gaps);
+  std::vector<std::pair<float, float>> support_and_area;
+  float total = 0.0F;
+  for (std::size_t i = 0; i < sheets.places.size(); ++i) {
+    const float gap = std::min(sheets.gaps[i], largest);
+    support_and_area.emplace_back(sheets.support[i], gap * gap);
+    total += gap * gap;
+  }
+  std::sort(support_and_area.begin(), support_and_area.end());
+  float below = 0.0F;
+  for (const auto& [support, area] : support_and_area) {
+    below += area;
+    if (below >= 0.5F * total) {
+      return support;
+    }
+  }
+  return 0.0F;
+}
+
 /** Takes out entries with hardly any points around them, and what they stand for. */
 void
-dropUnsupported(Selection& selection, const std::vector<float>& support)
+dropUnsupported(Selection& selection, SheetPlaces& sheets, float typical_support)
 {
-  constexpr float little = 0.05F; // of the median; the density may well vary by ten
-  const float least = little * median(support);
+  constexpr float little = 0.05F; // the density may well vary by ten
+  const float least = little * typical_support;
   std::vector<Index> kept;
-  std::vector<Index> stand_in(support.size(), no_index);
-  for (std::size_t i = 0; i < support.size(); ++i) {
-    if (support[i] >= least) {
+  std::vector<Index> stand_in(sheets.support.size(), no_index);
+  for (std::size_t i = 0; i < sheets.support.size(); ++i) {
+    if (sheets.support[i] >= least) {
       stand_in[i] = static_cast<Index>(kept.size());
       kept.push_back(static_cast<Index>(i));
     }
   }
   select(selection, kept, stand_in);
+  keepEntries(sheets.gaps, kept);
 }
 
 /** A spacing, not below the given one, that leaves at most so many points. */
@@ -389,17 +209,67 @@ spacingForAtMost(const std::vector<Vector3>& points, std::size_t most, float spa
   return spacing;
 }
 
-/** Moves the points of a noisy cloud onto its sheets. Not all of them: some at a fraction of the spacing to come, by
- * enough others. */
-void
+/** Moves the points of a noisy cloud onto its sheets. Not all of them: some at a fraction of the spacing to come.
+ * \return the distance between the points of the cloud around each */
+std::vector<float>
 smooth(Selection& selection, const Smoothing& smoothing, std::size_t most, float mean_distance, unsigned threads)
 {
   constexpr float fraction = 0.5F;
-  const std::size_t times_enough = std::max<std::size_t>(1, fewestAround(selection.places, smoothing.radius) / enough);
-  const std::vector<Vector3> points = everyFew(selection.places, selection.places.size() / times_enough);
+  const std::vector<Vector3> points = selection.places;
   const float spacing = spacingForAtMost(selection.places, 2 * most, fraction * smoothing.spacing, mean_distance);
   selectSpaced(selection, spacing, threads);
-  dropUnsupported(selection, moveToSheets(selection.places, points, smoothing, threads));
+  SheetPlaces sheets = moveToSheets(std::move(selection.places), points, smoothing, threads);
+  selection.places = std::move(sheets.places);
+  selection.normals = std::move(sheets.normals);
+  sheets.places = selection.places;
+  const bool is_even = smoothing.least_radius >= smoothing.radius;
+  dropUnsupported(selection, sheets, is_even ? median(sheets.support) : typicalSupport(sheets));
+  return sheets.gaps;
+}
+
+/** The surface around places, without the gaps between the points. \param[in] spacing of the places */
+std::vector<Surfel>
+surfels(const Selection& selection, const std::vector<float>& gaps, float spacing)
+{
+  constexpr float gaps_per_radius = 1.0F;
+  constexpr float spacings_per_radius = 0.7F;
+  std::vector<Surfel> discs;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    const float radius = std::max(spacings_per_radius * spacing, gaps_per_radius * gaps[i]);
+    discs.push_back({selection.places[i], selection.normals[i], radius});
+  }
+  return discs;
+}
+
+/** Puts a second point where two sheets have merged into one layer, each a little way into its own body. Points of the
+ * cloud stay with the sheet of the side that they are on. */
+void
+partSheets(const std::vector<Vector3>& points, const LayerSides& layers, WorkingCloud& cloud)
+{
+  const std::size_t n = cloud.points.size();
+  std::vector<Index> second(n, no_index);
+  const std::vector<Vector3> middle = cloud.points;
+  cloud.normals = layers.normals;
+  for (std::size_t i = 0; i < n; ++i) {
+    cloud.is_oriented.push_back(static_cast<char>(layers.sides[i] != Sides::Alike));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (layers.sides[i] == Sides::Inside) {
+      const Vector3 inwards = -0.125F * layers.clearance * layers.normals[i];
+      second[i] = static_cast<Index>(cloud.points.size());
+      cloud.points[i] = middle[i] + inwards;
+      cloud.points.push_back(middle[i] - inwards);
+      cloud.normals.push_back(-1.0F * layers.normals[i]);
+      cloud.is_oriented.push_back(1);
+      cloud.original.push_back(cloud.original[i]);
+    }
+  }
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const Index i = cloud.representatives[v];
+    if (i != no_index && second[i] != no_index && dot(points[v] - middle[i], layers.normals[i]) > 0.0F) {
+      cloud.representatives[v] = second[i];
+    }
+  }
 }
 
 } // namespace
@@ -409,7 +279,7 @@ makeWorkingCloud(const std::vector<Vector3>& points,
                  const NeighbourLists& lists,
                  std::size_t most,
                  unsigned threads,
-                 float smoothing_share)
+                 NoiseReading reading)
 {
   const std::vector<float> mean_distances = neighbourDistances(points, lists);
   const std::vector<char> outlier = findOutliers(lists, mean_distances);
@@ -424,12 +294,18 @@ makeWorkingCloud(const std::vector<Vector3>& points,
   const float mean_distance = median(mean_distances);
   Selection selection = allPoints(inliers);
   Smoothing smoothing = findSmoothing(inliers, mean_distance);
-  smoothing.radius *= smoothing_share;
-  smoothing.spacing *= smoothing_share;
+  if (reading != NoiseReading::Smooth) {
+    smoothing = withLeastRadius(smoothing, mean_distance);
+  }
+  std::vector<float> gaps;
   if (smoothing.radius > 0.0F) {
-    smooth(selection, smoothing, most, mean_distance, threads);
+    gaps = smooth(selection, smoothing, most, mean_distance, threads);
   }
   const float spacing = spacingForAtMost(selection.places, most, smoothing.spacing, mean_distance);
+  std::vector<Surfel> surface;
+  if (reading == NoiseReading::Parted) {
+    surface = surfels(selection, gaps, spacing);
+  }
   if (spacing > 0.0F) {
     selectSpaced(selection, spacing, threads);
   }
@@ -443,6 +319,12 @@ makeWorkingCloud(const std::vector<Vector3>& points,
   cloud.representatives.assign(points.size(), no_index);
   for (std::size_t i = 0; i < number.size(); ++i) {
     cloud.representatives[number[i]] = selection.nearest[i];
+  }
+  if (!surface.empty()) {
+    const LayerSides layers = lookToBothSides(surface, cloud.points, std::move(selection.normals), spacing);
+    if (!layers.sides.empty()) {
+      partSheets(points, layers, cloud);
+    }
   }
   cloud.outliers =
       static_cast<std::size_t>(std::count(cloud.representatives.begin(), cloud.representatives.end(), no_index));

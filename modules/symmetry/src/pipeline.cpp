@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace pcl {
 namespace symmetry {
@@ -135,12 +136,12 @@ struct Reading {
 /** Which points of a cloud touch and which are connected cannot always be told: the ways to read it, the most trusting
  * first. */
 std::vector<ContactTest>
-contactTests(const Surface& surface, const SymmetryParameters& parameters)
+contactTests(const Surface& surface, const SymmetryParameters& parameters, float depth = 0.0F)
 {
   if (surface.hasFaces() || parameters.method == Method::Staged) {
     return {ContactTest{}};
   }
-  return {{0.5F, 3.0F}, {0.8F, 4.0F}, {0.95F, 8.0F}};
+  return {{0.5F, 3.0F, depth}, {0.8F, 4.0F, depth}, {0.95F, 8.0F, depth}};
 }
 
 bool
@@ -151,12 +152,21 @@ isBetter(const MapEstimate& a, const MapEstimate& b)
   return a_found != b_found ? a_found : a.confidence > b.confidence;
 }
 
-/** The same for a noisy cloud that is smoothed less: closer to the noise, but parts in contact have merged less. */
-std::vector<ContactTest>
-closerContactTests()
+/** Ways to read a noisy cloud, each with the depths at which contacts are looked for, the most likely first. */
+std::vector<std::pair<NoiseReading, std::vector<float>>>
+noiseReadings(const SymmetryParameters& parameters)
 {
-  constexpr float depth = 1.3F;
-  return {{0.5F, 3.0F}, {0.8F, 4.0F}, {0.95F, 8.0F}, {0.5F, 3.0F, depth}, {0.8F, 4.0F, depth}, {0.95F, 8.0F, depth}};
+  if (parameters.method == Method::Staged) {
+    return {{NoiseReading::Smooth, {0.0F}}};
+  }
+  return {{NoiseReading::Smooth, {0.0F}}, {NoiseReading::Close, {0.0F}}, {NoiseReading::Parted, {1.0F, 0.0F, 0.7F}}};
+}
+
+bool
+isSettled(const MapEstimate& estimate)
+{
+  constexpr float beyond_doubt = 0.9F;
+  return estimate.confidence >= beyond_doubt || estimate.status == SymmetryStatus::TooFewPoints;
 }
 
 /** Tries ways to read a surface until one is beyond doubt. \param[in,out] best the most convincing one so far, if any;
@@ -169,7 +179,6 @@ tryReadings(const UsablePoints& usable,
             InputSummary& summary,
             std::optional<Reading>& best)
 {
-  constexpr float beyond_doubt = 0.9F;
   for (const ContactTest& contact : tests) {
     timer.start("graph", 0.0);
     Reading reading;
@@ -179,7 +188,7 @@ tryReadings(const UsablePoints& usable,
     if (!best || isBetter(reading.estimate, best->estimate)) {
       best = std::move(reading);
     }
-    if (best->estimate.confidence >= beyond_doubt || best->estimate.status == SymmetryStatus::TooFewPoints) {
+    if (isSettled(best->estimate)) {
       return;
     }
   }
@@ -194,18 +203,19 @@ bestReading(const Surface& surface,
             StepTimer& timer,
             InputSummary& summary)
 {
-  constexpr float doubtful = 0.3F;
-  constexpr float closer = 0.7F;
   std::optional<Reading> best;
-  timer.start("graph", 0.0);
-  const UsablePoints usable = usablePoints(surface, parameters, search);
-  tryReadings(usable, contactTests(surface, parameters), parameters, timer, summary, best);
-  const bool is_noisy = usable.surface.summary.smoothing_radius > 0.0F;
-  if (is_noisy && parameters.method != Method::Staged && best->estimate.confidence < doubtful &&
-      best->estimate.status != SymmetryStatus::TooFewPoints) {
+  for (const auto& [noise, depths] : noiseReadings(parameters)) {
     timer.start("graph", 0.0);
-    tryReadings(usablePoints(surface, parameters, search, closer), closerContactTests(), parameters, timer, summary,
-                best);
+    const UsablePoints usable = usablePoints(surface, parameters, search, noise);
+    for (const float depth : depths) {
+      tryReadings(usable, contactTests(surface, parameters, depth), parameters, timer, summary, best);
+      if (isSettled(best->estimate)) {
+        return std::move(*best);
+      }
+    }
+    if (usable.surface.summary.smoothing_radius == 0.0F) {
+      break;
+    }
   }
   return std::move(*best);
 }

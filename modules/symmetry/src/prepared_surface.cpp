@@ -1,6 +1,7 @@
 #include "symmetry/prepared_surface.h"
 
-#include "cloud/working_cloud.h"
+#include "cloud/merged_sheets.h"
+#include "geodesic/median.h"
 #include "geodesic/vector_math.h"
 
 #include <algorithm>
@@ -57,14 +58,6 @@ dropNonFinitePoints(PreparedSurface& surface)
   if (surface.summary.non_finite > 0) {
     keepPoints(surface, keep);
   }
-}
-
-double
-median(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /** Drops points of a cloud that are so far from the middle of all that no surface reaches there: at unit scale they
@@ -159,19 +152,20 @@ dropOutliers(PreparedSurface& surface, const SymmetryParameters& parameters, con
   keepPoints(surface, keep);
 }
 
-/** Goes over to a cloud without outliers and noise, of a size that is solved in a moment; the neighbours of its points.
- */
-NeighbourLists
-reduceCloud(PreparedSurface& surface,
+/** Goes over to a cloud without outliers and noise, of a size that is solved in a moment, and finds the neighbours of
+ * its points. */
+void
+reduceCloud(UsablePoints& usable,
             const SymmetryParameters& parameters,
             const NeighbourSearch& search,
-            float smoothing_share)
+            NoiseReading reading)
 {
   constexpr std::size_t most = 60000;
-  NeighbourLists lists = search(surface.points, parameters.k_search);
-  WorkingCloud working = makeWorkingCloud(surface.points, lists, most, parameters.threads, smoothing_share);
+  PreparedSurface& surface = usable.surface;
+  usable.neighbours = search(surface.points, parameters.k_search);
+  WorkingCloud working = makeWorkingCloud(surface.points, usable.neighbours, most, parameters.threads, reading);
   if (working.points.size() == surface.size() && working.smoothing_radius == 0.0F) {
-    return lists;
+    return;
   }
   surface.summary.outliers += working.outliers;
   surface.summary.smoothing_radius = working.smoothing_radius / surface.scale;
@@ -191,18 +185,29 @@ reduceCloud(PreparedSurface& surface,
   surface.original = std::move(original);
   surface.normals = std::move(normals);
   surface.points = std::move(working.points);
-  return search(surface.points, parameters.k_search);
+  if (working.normals.empty()) {
+    usable.neighbours = search(surface.points, parameters.k_search);
+    return;
+  }
+  // Where sheets were parted half of the neighbours are on the other one.
+  usable.neighbours = neighboursOnOwnSheet(search(surface.points, 2 * parameters.k_search), working.normals,
+                                           static_cast<std::size_t>(parameters.k_search));
+  if (surface.normals.empty()) {
+    surface.normals = std::move(working.normals);
+    usable.is_oriented = std::move(working.is_oriented);
+  }
 }
 
 /** Graph, normals and triangles of a cloud, which has none of them. */
 void
 reconstructCloud(PreparedSurface& surface,
                  const NeighbourLists& neighbours,
+                 const std::vector<char>& is_oriented,
                  const SymmetryParameters& parameters,
                  const ContactTest& contact)
 {
   CloudSurface cloud = buildCloudSurface(surface.points, neighbours, surface.normals, parameters.radius * surface.scale,
-                                         contact, parameters.threads);
+                                         contact, parameters.threads, is_oriented);
   surface.graph = std::move(cloud.graph);
   surface.normals = std::move(cloud.normals);
   surface.triangles = std::move(cloud.triangles);
@@ -325,7 +330,7 @@ UsablePoints
 usablePoints(const Surface& surface,
              const SymmetryParameters& parameters,
              const NeighbourSearch& search,
-             float smoothing_share)
+             NoiseReading reading)
 {
   UsablePoints usable;
   PreparedSurface& prepared = usable.surface;
@@ -357,7 +362,7 @@ usablePoints(const Surface& surface,
   if (parameters.normals == NormalSource::Estimate) {
     prepared.normals.clear();
   }
-  usable.neighbours = reduceCloud(prepared, parameters, search, smoothing_share);
+  reduceCloud(usable, parameters, search, reading);
   return usable;
 }
 
@@ -366,7 +371,7 @@ prepareSurface(UsablePoints usable, const SymmetryParameters& parameters, const 
 {
   PreparedSurface prepared = std::move(usable.surface);
   if (prepared.is_cloud) {
-    reconstructCloud(prepared, usable.neighbours, parameters, contact);
+    reconstructCloud(prepared, usable.neighbours, usable.is_oriented, parameters, contact);
   }
   else {
     prepared.normals = vertexNormals(prepared.points, prepared.triangles);

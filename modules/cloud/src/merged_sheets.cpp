@@ -1,0 +1,93 @@
+#include "cloud/merged_sheets.h"
+
+#include "geodesic/vector_math.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** How far it is to the outside in a direction; infinite if farther than \a reach. */
+float
+wayOut(const OutsideSpace& outside, const Vector3& place, const Vector3& direction, float reach)
+{
+  const float step = 0.25F * outside.cube();
+  for (float way = step; way <= reach; way += step) {
+    if (outside.contains(place + way * direction)) {
+      return way;
+    }
+  }
+  return std::numeric_limits<float>::infinity();
+}
+
+/** \param[in,out] normal turned outwards where that can be told */
+Sides
+lookAround(const OutsideSpace& outside, const Vector3& place, Vector3& normal)
+{
+  constexpr float cubes_of_reach = 2.0F;
+  constexpr float cubes_of_doubt = 0.5F;
+  const float reach = cubes_of_reach * outside.cube();
+  const float ahead = wayOut(outside, place, normal, reach);
+  const float behind = wayOut(outside, place, -1.0F * normal, reach);
+  if (ahead > reach && behind > reach) {
+    return Sides::Inside;
+  }
+  if (behind < ahead) {
+    normal = -1.0F * normal;
+  }
+  const float doubt = cubes_of_doubt * outside.cube();
+  return std::max(ahead, behind) > std::min(ahead, behind) + doubt ? Sides::Outside : Sides::Alike;
+}
+
+} // namespace
+
+LayerSides
+lookToBothSides(const std::vector<Surfel>& surface,
+                const std::vector<Vector3>& places,
+                std::vector<Vector3> normals,
+                float spacing)
+{
+  constexpr float finest = 1.5F; // spacings of a cube
+  constexpr float coarsest = 3.0F;
+  constexpr float step = 0.25F;
+  constexpr float closed = 0.9F;
+  LayerSides layers;
+  layers.normals = std::move(normals);
+  for (float cubes = finest; cubes <= coarsest; cubes += step) {
+    const OutsideSpace outside(surface, cubes * spacing);
+    std::vector<Sides> sides;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      sides.push_back(lookAround(outside, places[i], layers.normals[i]));
+    }
+    const auto open = static_cast<float>(std::count(sides.begin(), sides.end(), Sides::Alike));
+    if (open <= (1.0F - closed) * static_cast<float>(places.size())) {
+      layers.sides = std::move(sides);
+      layers.clearance = outside.cube();
+      break;
+    }
+  }
+  return layers;
+}
+
+NeighbourLists
+neighboursOnOwnSheet(const NeighbourLists& lists, const std::vector<Vector3>& normals, std::size_t k)
+{
+  constexpr float opposed = -0.5F; // at a sharp edge normals turn by a right angle
+  NeighbourLists own;
+  own.k = k;
+  own.neighbours.assign(normals.size() * k, no_index);
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    std::size_t found = 0;
+    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && found < k && lists.neighbours[i] != no_index; ++i) {
+      if (dot(normals[v], normals[lists.neighbours[i]]) > opposed) {
+        own.neighbours[v * k + found++] = lists.neighbours[i];
+      }
+    }
+  }
+  return own;
+}
+
+} // namespace symmetry
+} // namespace pcl

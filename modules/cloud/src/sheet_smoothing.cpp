@@ -1,0 +1,284 @@
+#include "cloud/sheet_smoothing.h"
+
+#include "cloud/point_grid.h"
+#include "geodesic/median.h"
+#include "geodesic/parallel.h"
+#include "geodesic/vector_math.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+constexpr float fewest_spacings = 6.0F;     // of a radius; with fewer points around, planes are uncertain
+constexpr float spacings_per_radius = 6.0F; // of points that show all that is left to see
+constexpr float width_of_thickness = 3.0F;  // the thickness is a standard deviation
+constexpr std::size_t enough = 500;         // points for a plane
+
+/** Plane through the mean of the points around a place. */
+struct LocalPlane {
+  Vector3 mean{};
+  Vector3 normal{};
+  float thickness = 0.0F; ///< root mean square distance of the points from it
+  float support = 0.0F;   ///< sum of the weights
+};
+
+/** The points nearer to a place than a radius, which is the edge of the grid's cubes. */
+void
+gatherAround(const std::vector<Vector3>& points,
+             const PointGrid& grid,
+             const Vector3& place,
+             float radius,
+             std::vector<Vector3>& gathered)
+{
+  gathered.clear();
+  grid.visitAround(place, [&](Index i) {
+    if (distance(points[i], place) < radius) {
+      gathered.push_back(points[i]);
+    }
+  });
+}
+
+/** 1 in the middle, 0 from one unit off on. */
+float
+biweight(float squared)
+{
+  return squared < 1.0F ? (1.0F - squared) * (1.0F - squared) : 0.0F;
+}
+
+/** \param[in] weight of a point at an offset from the place, in units of the radius */
+template <typename Weight>
+LocalPlane
+fitPlane(const std::vector<Vector3>& around, const Vector3& place, float radius, Weight weight)
+{
+  Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  LocalPlane plane{place, {0.0F, 0.0F, 1.0F}, 0.0F, 0.0F};
+  for (const Vector3& p : around) {
+    const Vector3 offset = (1.0F / radius) * (p - place);
+    const float w = weight(offset);
+    const Eigen::Vector3f x(offset[0], offset[1], offset[2]);
+    mean += w * x;
+    covariance += w * x * x.transpose();
+    plane.support += w;
+  }
+  if (plane.support <= 0.0F) {
+    return plane;
+  }
+  mean /= plane.support;
+  covariance = covariance / plane.support - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(covariance);
+  const Eigen::Vector3f normal = solver.eigenvectors().col(0);
+  if (normal.allFinite()) {
+    plane.normal = normalized({normal.x(), normal.y(), normal.z()});
+  }
+  plane.mean = place + radius * Vector3{mean.x(), mean.y(), mean.z()};
+  plane.thickness = radius * std::sqrt(std::max(0.0F, solver.eigenvalues()(0)));
+  return plane;
+}
+
+/** Plane through all points around a place; the farther they are, the less they count. */
+LocalPlane
+fitPlane(const std::vector<Vector3>& around, const Vector3& place, float radius)
+{
+  return fitPlane(around, place, radius, [](const Vector3& offset) { return biweight(dot(offset, offset)); });
+}
+
+/** Plane through those points around a place that are on its own sheet of the surface: points also count the less the
+ * farther they are from the plane through the place, and from \a width on not at all. */
+LocalPlane
+fitSheet(const std::vector<Vector3>& around, const Vector3& place, const Vector3& normal, float radius, float width)
+{
+  const float radii_per_width = radius / width;
+  return fitPlane(around, place, radius, [&](const Vector3& offset) {
+    const float height = radii_per_width * dot(offset, normal);
+    return biweight(dot(offset, offset)) * biweight(height * height);
+  });
+}
+
+/** Every so many-th point, so that about \a most are left; all if there are no more. */
+std::vector<Vector3>
+everyFew(const std::vector<Vector3>& points, std::size_t most)
+{
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / std::max<std::size_t>(1, most));
+  std::vector<Vector3> chosen;
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    chosen.push_back(points[i]);
+  }
+  return chosen;
+}
+
+/** Median thickness of neighbourhoods over their radius; a ball has 0.33. */
+float
+relativeThickness(const std::vector<Vector3>& points, float radius)
+{
+  constexpr std::size_t probes = 600;
+  const PointGrid grid(points, radius);
+  std::vector<float> thickness;
+  std::vector<Vector3> around;
+  for (const Vector3& place : everyFew(points, probes)) {
+    gatherAround(points, grid, place, radius, around);
+    thickness.push_back(fitPlane(around, place, radius).thickness / radius);
+  }
+  return median(std::move(thickness));
+}
+
+/** Number of points within a radius that nine of ten neighbourhoods have. */
+std::size_t
+fewestAround(const std::vector<Vector3>& points, float radius)
+{
+  constexpr std::size_t probes = 300;
+  const PointGrid grid(points, radius);
+  std::vector<std::size_t> numbers;
+  std::vector<Vector3> around;
+  for (const Vector3& place : everyFew(points, probes)) {
+    gatherAround(points, grid, place, radius, around);
+    numbers.push_back(around.size());
+  }
+  const auto tenth = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 10);
+  std::nth_element(numbers.begin(), tenth, numbers.end());
+  return *tenth;
+}
+
+/** Moves a place onto its sheet; the share of the weight of all points around that is within the sheet.
+ * \param[out] normal of the sheet, of either sign */
+float
+moveToSheet(Vector3& place, Vector3& normal, const std::vector<Vector3>& around, float radius, float width)
+{
+  constexpr int rounds = 4; // each takes a place nearer to the middle of its sheet by more than a half
+  const LocalPlane all = fitPlane(around, place, radius);
+  LocalPlane sheet = all;
+  for (int round = 0; round < rounds; ++round) {
+    sheet = fitSheet(around, place, sheet.normal, radius, width);
+    place = place - dot(place - sheet.mean, sheet.normal) * sheet.normal;
+  }
+  normal = sheet.normal;
+  return all.support > 0.0F ? sheet.support / all.support : 0.0F;
+}
+
+/** The points of a cloud around places: within the least radius where there are enough, else within the radius around
+ * as many, but at most the largest one. */
+class Neighbourhoods {
+public:
+  Neighbourhoods(const std::vector<Vector3>& points, const Smoothing& smoothing)
+      : points_(points), smoothing_(smoothing), near_(points, smoothing.least_radius), far_(points, smoothing.radius)
+  {
+  }
+
+  /** \param[out] around the points; their radius is returned */
+  float
+  gather(const Vector3& place, std::vector<Vector3>& around) const
+  {
+    constexpr std::size_t fewest = 80;
+    gatherAround(points_, near_, place, smoothing_.least_radius, around);
+    if (around.size() >= fewest || smoothing_.least_radius >= smoothing_.radius) {
+      return smoothing_.least_radius;
+    }
+    gatherAround(points_, far_, place, smoothing_.radius, around);
+    if (around.size() <= fewest) {
+      return smoothing_.radius;
+    }
+    const auto last = around.begin() + static_cast<std::ptrdiff_t>(fewest);
+    std::nth_element(around.begin(), last, around.end(), [&](const Vector3& a, const Vector3& b) {
+      const float da = distance(a, place);
+      const float db = distance(b, place);
+      return da != db ? da < db : a < b;
+    });
+    const float radius = distance(*last, place);
+    around.erase(last, around.end());
+    return radius;
+  }
+
+private:
+  const std::vector<Vector3>& points_;
+  const Smoothing& smoothing_;
+  PointGrid near_;
+  PointGrid far_;
+};
+
+} // namespace
+
+Smoothing
+findSmoothing(const std::vector<Vector3>& points, float spacing)
+{
+  constexpr float first = 2.2F;    // spacings; with fewer points around, any plane fits
+  constexpr float largest = 0.06F; // of the longest side
+  constexpr float step = 1.25F;
+  constexpr float flat = 0.09F;
+  constexpr float step_up = 1.25F; // with more points the planes gain in certainty more than they lose
+  Smoothing best;
+  float flattest = std::numeric_limits<float>::infinity();
+  for (float radius = first * spacing; radius > 0.0F && radius < largest; radius *= step) {
+    const float thickness = relativeThickness(points, radius);
+    if (best.radius == 0.0F && thickness < flat) {
+      return {};
+    }
+    if (thickness < flattest) {
+      flattest = thickness;
+      const float smoothing_radius = std::max(step_up * radius, fewest_spacings * spacing);
+      best = {smoothing_radius, smoothing_radius, width_of_thickness * thickness * radius,
+              radius / spacings_per_radius};
+    }
+  }
+  return best;
+}
+
+Smoothing
+withLeastRadius(Smoothing smoothing, float spacing)
+{
+  constexpr float tolerance = 0.0375F; // radians, of the normals
+  constexpr float disc = 1.128F;       // 2 / sqrt (pi)
+  if (smoothing.radius <= 0.0F) {
+    return smoothing;
+  }
+  // Where neighbourhoods are flattest, noise and curvature have equal parts in their thickness.
+  const float noise = smoothing.width / (width_of_thickness * std::sqrt(2.0F));
+  // The normal of a plane fitted to n points with noise s in a disc of radius r is off by 2 s / (r sqrt (n)), and n is
+  // pi (r / spacing)^2.
+  const float certain = std::sqrt(disc * noise * spacing / tolerance);
+  smoothing.least_radius = std::min(smoothing.radius, std::max(certain, fewest_spacings * spacing));
+  smoothing.spacing = std::min(smoothing.spacing, smoothing.least_radius / spacings_per_radius);
+  return smoothing;
+}
+
+SheetPlaces
+moveToSheets(std::vector<Vector3> places,
+             const std::vector<Vector3>& cloud,
+             const Smoothing& smoothing,
+             unsigned threads)
+{
+  constexpr float least_share = 0.1F; // of a stray point; at a fork of sheets it is larger
+  constexpr float pi = 3.14159265F;
+  SheetPlaces sheets;
+  sheets.places = std::move(places);
+  sheets.normals.resize(sheets.places.size());
+  sheets.gaps.resize(sheets.places.size());
+  sheets.support.resize(sheets.places.size());
+  const std::size_t times_enough = std::max<std::size_t>(1, fewestAround(cloud, smoothing.radius) / enough);
+  const std::vector<Vector3> points = everyFew(cloud, cloud.size() / times_enough);
+  const Neighbourhoods neighbourhoods(points, smoothing);
+  constexpr std::size_t grain = 64;
+  parallelBlocks(sheets.places.size(), grain, threads, [&] {
+    return [&, around = std::vector<Vector3>()](std::size_t begin, std::size_t end) mutable {
+      for (std::size_t v = begin; v < end; ++v) {
+        const float radius = neighbourhoods.gather(sheets.places[v], around);
+        const auto number = static_cast<float>(std::max<std::size_t>(1, around.size()));
+        around = everyFew(around, enough);
+        const float share = moveToSheet(sheets.places[v], sheets.normals[v], around, radius, smoothing.width);
+        const float to_radius = smoothing.radius / radius;
+        sheets.gaps[v] = radius * std::sqrt(pi / number);
+        sheets.support[v] = share < least_share ? 0.0F : share * number * to_radius * to_radius;
+      }
+    };
+  });
+  return sheets;
+}
+
+} // namespace symmetry
+} // namespace pcl

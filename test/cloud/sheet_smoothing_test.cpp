@@ -1,0 +1,91 @@
+#include "cloud/clouds.h"
+#include "cloud/sheet_smoothing.h"
+
+#include <gtest/gtest.h>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+/** Points spread evenly over a square, with noise across it. \param[in] dense share of them in the right half */
+std::vector<Vector3>
+noisySquare(std::size_t n, float height, float noise, float dense, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<Vector3> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool right = evenly(random, 0.0F, 1.0F) < dense;
+    points.push_back({right ? evenly(random, 0.0F, 0.5F) : evenly(random, -0.5F, 0.0F), evenly(random, -0.5F, 0.5F),
+                      height + noise * bellShaped(random)});
+  }
+  return points;
+}
+
+TEST(Smoothing, OfACloudWithoutNoiseStaysNone)
+{
+  const Smoothing none = findSmoothing(sphereCloud(5000, 0.4F), 0.02F);
+  EXPECT_EQ(none.radius, 0.0F);
+  EXPECT_EQ(withLeastRadius(none, 0.02F).least_radius, 0.0F);
+}
+
+TEST(Smoothing, WithLeastRadiusFollowsTheDensity)
+{
+  const Smoothing even{0.06F, 0.06F, 0.02F, 0.01F};
+  const Smoothing dense = withLeastRadius(even, 0.003F);
+  const Smoothing sparse = withLeastRadius(even, 0.02F);
+  EXPECT_LT(dense.least_radius, 0.5F * even.radius);
+  EXPECT_GE(dense.least_radius, 6.0F * 0.003F);
+  EXPECT_LT(dense.spacing, even.spacing);
+  EXPECT_EQ(dense.radius, even.radius);
+  EXPECT_EQ(dense.width, even.width);
+  EXPECT_EQ(sparse.least_radius, even.radius); // there are too few points for smaller neighbourhoods
+  EXPECT_EQ(sparse.spacing, even.spacing);
+}
+
+TEST(MoveToSheets, WidensNeighbourhoodsWherePointsAreSparse)
+{
+  constexpr float noise = 0.01F;
+  const std::vector<Vector3> points = noisySquare(30000, 0.0F, noise, 0.95F, 3);
+  const Smoothing smoothing{0.1F, 0.03F, 0.04F, 0.005F};
+  const SheetPlaces sheets = moveToSheets(points, points, smoothing, 1);
+  ASSERT_EQ(sheets.places.size(), points.size());
+  double error[2] = {0.0, 0.0};
+  double gap[2] = {0.0, 0.0};
+  std::size_t number[2] = {0, 0};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::abs(points[i][0]) < 0.1F || std::abs(points[i][0]) > 0.4F || std::abs(points[i][1]) > 0.4F) {
+      continue;
+    }
+    const std::size_t half = points[i][0] < 0.0F ? 0 : 1;
+    error[half] += std::abs(double{sheets.places[i][2]});
+    gap[half] += double{sheets.gaps[i]};
+    ++number[half];
+  }
+  for (std::size_t half = 0; half < 2; ++half) {
+    EXPECT_LT(error[half] / static_cast<double>(number[half]), 0.25 * double{noise}) << half;
+  }
+  // The gap of n points on an area is sqrt (area / n): 0.5 / 28500 and 0.5 / 1500.
+  EXPECT_NEAR(gap[1] / static_cast<double>(number[1]), 0.0042, 0.0006);
+  EXPECT_NEAR(gap[0] / static_cast<double>(number[0]), 0.0183, 0.0025);
+}
+
+TEST(MoveToSheets, SmallNeighbourhoodsKeepABumpThatLargeOnesLevel)
+{
+  constexpr float height = 0.05F;
+  constexpr float width = 0.05F;
+  std::vector<Vector3> points = noisySquare(60000, 0.0F, 0.004F, 0.5F, 4);
+  for (Vector3& p : points) {
+    const float r = std::hypot(p[0], p[1]);
+    p[2] += height * std::exp(-(r * r) / (width * width));
+  }
+  const auto top = [&](float least_radius) {
+    const SheetPlaces sheets =
+        moveToSheets({{0.0F, 0.0F, height}}, points, Smoothing{0.12F, least_radius, 0.1F, 0.005F}, 1);
+    return sheets.places[0][2];
+  };
+  EXPECT_GT(top(0.03F), 0.85F * height);
+  EXPECT_LT(top(0.12F), 0.7F * height);
+}
+
+} // namespace
