@@ -22,7 +22,7 @@ struct WorkingCloud {
   float smoothing_radius = 0.0F; ///< of the planes that noise was smoothed by; 0: the cloud was thin already
 };
 
-/** \brief How the layers of points of a noisy cloud are read; a cloud without noise reads the same in all ways. */
+/** \brief How layers of points are read; without noise the first two are the same. */
 enum class NoiseReading {
   Smooth, ///< with neighbourhoods as large as the curvature allows: the best view of a surface that touches nothing
   Close,  ///< with as small ones as the noise allows: parts that nearly touch stay apart
@@ -41,7 +41,8 @@ enum class NoiseReading {
  * \param[in] points all finite, at unit scale
  * \param[in] lists their nearest neighbours
  * \param[in] most how many working points there may be at most
- * \param[in] reading of a noisy cloud; sheets can only be parted where the surface is closed but for small holes */
+ * \param[in] reading of the layers of points; sheets can only be parted where the surface is closed but for small holes
+ */
 WorkingCloud
 makeWorkingCloud(const std::vector<Vector3>& points,
                  const NeighbourLists& lists,

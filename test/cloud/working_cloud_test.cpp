@@ -135,12 +135,11 @@ TEST(WorkingCloud, ReadCloselyShowsMoreOfADenseCloud)
   expectConsistent(close, points.size());
 }
 
-/** Two noisy balls pressed together: each is flat where it touches the other, and there they have one layer. */
+/** Two balls pressed together: each is flat where it touches the other, and there they have one layer. */
 std::vector<Vector3>
-ballsInContact()
+ballsInContact(float noise)
 {
   constexpr float flat_at = 0.15F;
-  std::mt19937 random(21);
   std::vector<Vector3> points;
   for (const float side : {-1.0F, 1.0F}) {
     for (Vector3 p : sphereCloud(12000, 0.2F)) {
@@ -148,12 +147,14 @@ ballsInContact()
       points.push_back({side * p[0], p[1], p[2]});
     }
   }
-  return noisy(points, 0.004F, 22);
+  return noisy(points, noise, 22);
 }
 
-TEST(WorkingCloud, PartedHasTwoPointsWhereTwoSheetsTouch)
+class SheetsInContactTest : public testing::TestWithParam<float> {};
+
+TEST_P(SheetsInContactTest, HasTwoPointsWhereTwoSheetsTouch)
 {
-  const std::vector<Vector3> points = ballsInContact();
+  const std::vector<Vector3> points = ballsInContact(GetParam());
   const NeighbourLists lists = nearestNeighbours(points, 10);
   const WorkingCloud cloud = makeWorkingCloud(points, lists, any_number, 1, NoiseReading::Parted);
   ASSERT_EQ(cloud.normals.size(), cloud.points.size());
@@ -187,9 +188,11 @@ TEST(WorkingCloud, PartedHasTwoPointsWhereTwoSheetsTouch)
   EXPECT_EQ(inward, 0U);
 }
 
+INSTANTIATE_TEST_SUITE_P(PartedWorkingCloud, SheetsInContactTest, testing::Values(0.0F, 0.004F));
+
 TEST(WorkingCloud, PartedLetsBothSheetsStandForPointsOfTheCloud)
 {
-  const std::vector<Vector3> points = ballsInContact();
+  const std::vector<Vector3> points = ballsInContact(0.004F);
   const WorkingCloud cloud =
       makeWorkingCloud(points, nearestNeighbours(points, 10), any_number, 1, NoiseReading::Parted);
   std::vector<std::size_t> represented(cloud.points.size(), 0);

@@ -1,5 +1,6 @@
 #include "cloud/working_cloud.h"
 
+#include "cloud/cloud_normals.h"
 #include "cloud/merged_sheets.h"
 #include "cloud/outside_space.h"
 #include "cloud/point_grid.h"
@@ -301,10 +302,17 @@ makeWorkingCloud(const std::vector<Vector3>& points,
   if (smoothing.radius > 0.0F) {
     gaps = smooth(selection, smoothing, most, mean_distance, threads);
   }
+  else if (reading == NoiseReading::Parted) {
+    const std::vector<Vector3> normals = estimateNormals(points, lists, threads);
+    for (const Index v : number) {
+      selection.normals.push_back(normals[v]);
+      gaps.push_back(mean_distances[v]);
+    }
+  }
   const float spacing = spacingForAtMost(selection.places, most, smoothing.spacing, mean_distance);
   std::vector<Surfel> surface;
   if (reading == NoiseReading::Parted) {
-    surface = surfels(selection, gaps, spacing);
+    surface = surfels(selection, gaps, std::max(spacing, mean_distance));
   }
   if (spacing > 0.0F) {
     selectSpaced(selection, spacing, threads);
@@ -321,7 +329,8 @@ makeWorkingCloud(const std::vector<Vector3>& points,
     cloud.representatives[number[i]] = selection.nearest[i];
   }
   if (!surface.empty()) {
-    const LayerSides layers = lookToBothSides(surface, cloud.points, std::move(selection.normals), spacing);
+    const LayerSides layers =
+        lookToBothSides(surface, cloud.points, std::move(selection.normals), std::max(spacing, mean_distance));
     if (!layers.sides.empty()) {
       partSheets(points, layers, cloud);
     }

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
 namespace pcl {
 namespace symmetry {
@@ -152,16 +151,6 @@ isBetter(const MapEstimate& a, const MapEstimate& b)
   return a_found != b_found ? a_found : a.confidence > b.confidence;
 }
 
-/** Ways to read a noisy cloud, each with the depths at which contacts are looked for, the most likely first. */
-std::vector<std::pair<NoiseReading, std::vector<float>>>
-noiseReadings(const SymmetryParameters& parameters)
-{
-  if (parameters.method == Method::Staged) {
-    return {{NoiseReading::Smooth, {0.0F}}};
-  }
-  return {{NoiseReading::Smooth, {0.0F}}, {NoiseReading::Close, {0.0F}}, {NoiseReading::Parted, {1.0F, 0.0F, 0.7F}}};
-}
-
 bool
 isSettled(const MapEstimate& estimate)
 {
@@ -194,6 +183,28 @@ tryReadings(const UsablePoints& usable,
   }
 }
 
+/** Reads the points of a surface in one way and their contacts in several. \param[in] depths see ContactTest
+ * \param[in,out] best the most convincing reading so far, if any; the summary is that of the last one */
+void
+tryDepths(const Surface& surface,
+          NoiseReading noise,
+          const std::vector<float>& depths,
+          const SymmetryParameters& parameters,
+          const NeighbourSearch& search,
+          StepTimer& timer,
+          InputSummary& summary,
+          std::optional<Reading>& best)
+{
+  timer.start("graph", 0.0);
+  const UsablePoints usable = usablePoints(surface, parameters, search, noise);
+  for (const float depth : depths) {
+    tryReadings(usable, contactTests(surface, parameters, depth), parameters, timer, summary, best);
+    if (isSettled(best->estimate)) {
+      return;
+    }
+  }
+}
+
 /** Of the readings of a surface the one with the most convincing symmetry. \param[out] summary what was used, also if
  * the timer cancels */
 Reading
@@ -203,19 +214,26 @@ bestReading(const Surface& surface,
             StepTimer& timer,
             InputSummary& summary)
 {
+  constexpr float doubtful = 0.3F;
+  constexpr float contact = 1.0F; // spacings
   std::optional<Reading> best;
-  for (const auto& [noise, depths] : noiseReadings(parameters)) {
-    timer.start("graph", 0.0);
-    const UsablePoints usable = usablePoints(surface, parameters, search, noise);
-    for (const float depth : depths) {
-      tryReadings(usable, contactTests(surface, parameters, depth), parameters, timer, summary, best);
-      if (isSettled(best->estimate)) {
-        return std::move(*best);
-      }
+  const auto tryReading = [&](NoiseReading noise, const std::vector<float>& depths) {
+    tryDepths(surface, noise, depths, parameters, search, timer, summary, best);
+  };
+  tryReading(NoiseReading::Smooth, {0.0F});
+  if (surface.hasFaces() || parameters.method == Method::Staged || isSettled(best->estimate)) {
+    return std::move(*best);
+  }
+  if (summary.smoothing_radius == 0.0F) {
+    if (best->estimate.confidence < doubtful) {
+      tryReading(NoiseReading::Parted, {contact});
     }
-    if (usable.surface.summary.smoothing_radius == 0.0F) {
-      break;
-    }
+    return std::move(*best);
+  }
+  tryReading(NoiseReading::Close, {0.0F});
+  if (!isSettled(best->estimate)) {
+    // Noise makes each reading uncertain, so that several are worth their time.
+    tryReading(NoiseReading::Parted, {contact, 0.0F, 0.7F * contact});
   }
   return std::move(*best);
 }

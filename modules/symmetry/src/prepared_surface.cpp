@@ -164,7 +164,7 @@ reduceCloud(UsablePoints& usable,
   PreparedSurface& surface = usable.surface;
   usable.neighbours = search(surface.points, parameters.k_search);
   WorkingCloud working = makeWorkingCloud(surface.points, usable.neighbours, most, parameters.threads, reading);
-  if (working.points.size() == surface.size() && working.smoothing_radius == 0.0F) {
+  if (working.points.size() == surface.size() && working.smoothing_radius == 0.0F && working.normals.empty()) {
     return;
   }
   surface.summary.outliers += working.outliers;
