@@ -31,8 +31,7 @@ enum class NoiseReading {
 
 /** \brief Prepares a cloud.
  *
- * Outliers are points much farther from their neighbours than these are from theirs (a simple local outlier factor, M.
- * Breunig et al., 2000), so that uneven density is none. A cloud is thick where, at the distance of its neighbours, it
+ * Outliers are stray points, see findStrayPoints (). A cloud is thick where, at the distance of its neighbours, it
  * fills space instead of a plane; then points are moved onto planes fitted to the points within a larger radius, about
  * the one at which most neighbourhoods are flattest. Only points on the same sheet of the surface take part (robust
  * moving least squares), so that the two sides of a thin part and two parts in contact stay apart as long as the noise

@@ -5,6 +5,7 @@
 #include "cloud/outside_space.h"
 #include "cloud/point_grid.h"
 #include "cloud/sheet_smoothing.h"
+#include "cloud/stray_points.h"
 #include "geodesic/median.h"
 #include "geodesic/parallel.h"
 #include "geodesic/vector_math.h"
@@ -17,44 +18,6 @@
 namespace pcl {
 namespace symmetry {
 namespace {
-
-/** Mean distance of every point to its neighbours. */
-std::vector<float>
-neighbourDistances(const std::vector<Vector3>& points, const NeighbourLists& lists)
-{
-  std::vector<float> mean(points.size(), 0.0F);
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    std::size_t found = 0;
-    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i, ++found) {
-      mean[v] += distance(points[v], points[lists.neighbours[i]]);
-    }
-    mean[v] /= static_cast<float>(std::max<std::size_t>(found, 1));
-  }
-  return mean;
-}
-
-/** Points whose neighbours are, in the lower quartile, several times closer to theirs. */
-std::vector<char>
-findOutliers(const NeighbourLists& lists, const std::vector<float>& mean_distance)
-{
-  constexpr float farther = 3.0F;
-  std::vector<char> outlier(mean_distance.size(), 0);
-  std::vector<float> around;
-  for (std::size_t v = 0; v < mean_distance.size(); ++v) {
-    around.clear();
-    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
-      if (static_cast<std::size_t>(lists.neighbours[i]) != v) {
-        around.push_back(mean_distance[lists.neighbours[i]]);
-      }
-    }
-    if (!around.empty()) {
-      const auto quartile = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 4);
-      std::nth_element(around.begin(), quartile, around.end());
-      outlier[v] = static_cast<char>(*quartile > 0.0F && mean_distance[v] > farther * *quartile);
-    }
-  }
-  return outlier;
-}
 
 /** Numbers of points no two of which are closer than a spacing, and all others are within it of one of them. */
 std::vector<Index>
@@ -283,7 +246,7 @@ makeWorkingCloud(const std::vector<Vector3>& points,
                  NoiseReading reading)
 {
   const std::vector<float> mean_distances = neighbourDistances(points, lists);
-  const std::vector<char> outlier = findOutliers(lists, mean_distances);
+  const std::vector<char> outlier = findStrayPoints(points, lists, mean_distances);
   std::vector<Vector3> inliers;
   std::vector<Index> number;
   for (std::size_t v = 0; v < points.size(); ++v) {

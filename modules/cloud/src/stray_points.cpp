@@ -1,0 +1,119 @@
+#include "cloud/stray_points.h"
+
+#include "geodesic/median.h"
+#include "geodesic/vector_math.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Points whose neighbours are, in the lower quartile, several times closer to theirs. */
+std::vector<char>
+findLonely(const NeighbourLists& lists, const std::vector<float>& mean_distance)
+{
+  constexpr float farther = 3.0F;
+  std::vector<char> outlier(mean_distance.size(), 0);
+  std::vector<float> around;
+  for (std::size_t v = 0; v < mean_distance.size(); ++v) {
+    around.clear();
+    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
+      if (static_cast<std::size_t>(lists.neighbours[i]) != v) {
+        around.push_back(mean_distance[lists.neighbours[i]]);
+      }
+    }
+    if (!around.empty()) {
+      const auto quartile = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 4);
+      std::nth_element(around.begin(), quartile, around.end());
+      outlier[v] = static_cast<char>(*quartile > 0.0F && mean_distance[v] > farther * *quartile);
+    }
+  }
+  return outlier;
+}
+
+/** Standard deviation of a point and its neighbours across their plane, over that in all directions: 0 of a plane, 0.58
+ * of a ball. */
+float
+flatness(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v)
+{
+  Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  std::size_t found = 0;
+  for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
+    const Vector3 offset = points[lists.neighbours[i]] - points[v];
+    const Eigen::Vector3f x(offset[0], offset[1], offset[2]);
+    mean += x;
+    covariance += x * x.transpose();
+    ++found;
+  }
+  const auto number = static_cast<float>(found + 1);
+  mean /= number;
+  covariance = covariance / number - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
+  const float all = covariance.trace();
+  return all > 0.0F ? std::sqrt(std::max(0.0F, solver.eigenvalues()(0)) / all) : 0.0F;
+}
+
+/** Marks also what has hardly any neighbours that are not marked. */
+void
+spread(const NeighbourLists& lists, std::vector<char>& stray)
+{
+  constexpr int rounds = 3;
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<char> before = stray;
+    for (std::size_t v = 0; v < stray.size(); ++v) {
+      std::size_t found = 0;
+      std::size_t marked = 0;
+      for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i, ++found) {
+        marked += static_cast<std::size_t>(before[lists.neighbours[i]]);
+      }
+      if (2 * marked > found) {
+        stray[v] = 1;
+      }
+    }
+  }
+}
+
+} // namespace
+
+std::vector<float>
+neighbourDistances(const std::vector<Vector3>& points, const NeighbourLists& lists)
+{
+  std::vector<float> mean(points.size(), 0.0F);
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    std::size_t found = 0;
+    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i, ++found) {
+      mean[v] += distance(points[v], points[lists.neighbours[i]]);
+    }
+    mean[v] /= static_cast<float>(std::max<std::size_t>(found, 1));
+  }
+  return mean;
+}
+
+std::vector<char>
+findStrayPoints(const std::vector<Vector3>& points, const NeighbourLists& lists, const std::vector<float>& distances)
+{
+  constexpr float far_apart = 3.0F;    // times the median: as where the density is a tenth
+  constexpr float fills_space = 0.28F; // few points at random are rarely flatter, a surface rarely fuller
+  std::vector<char> stray = findLonely(lists, distances);
+  const float far = far_apart * median(distances);
+  bool found = false;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (stray[v] == 0 && distances[v] > far && flatness(points, lists, v) > fills_space) {
+      stray[v] = 1;
+      found = true;
+    }
+  }
+  if (found) {
+    spread(lists, stray);
+  }
+  return stray;
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,27 @@
+/** \file
+ * \brief Points of a cloud that are on no surface.
+ */
+#pragma once
+
+#include "geodesic/neighbour_graph.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Mean distance of every point to its neighbours. */
+std::vector<float>
+neighbourDistances(const std::vector<Vector3>& points, const NeighbourLists& lists);
+
+/** \brief Marks stray points.
+ *
+ * Alone are points much farther from their neighbours than these are from theirs (a simple local outlier factor, M.
+ * Breunig et al., 2000), so that uneven density is none. Where there are so many strays that each has others around it,
+ * they are those far apart that fill space instead of a plane, and what has hardly any other neighbours.
+ * \param[in] distances see neighbourDistances () */
+std::vector<char>
+findStrayPoints(const std::vector<Vector3>& points, const NeighbourLists& lists, const std::vector<float>& distances);
+
+} // namespace symmetry
+} // namespace pcl
