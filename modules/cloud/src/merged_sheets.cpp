@@ -14,7 +14,9 @@ float
 wayOut(const OutsideSpace& outside, const Vector3& place, const Vector3& direction, float reach)
 {
   const float step = 0.25F * outside.cube();
-  for (float way = step; way <= reach; way += step) {
+  const auto steps = static_cast<int>(reach / step);
+  for (int i = 1; i <= steps; ++i) {
+    const float way = static_cast<float>(i) * step;
     if (outside.contains(place + way * direction)) {
       return way;
     }
@@ -50,13 +52,13 @@ lookToBothSides(const std::vector<Surfel>& surface,
                 float spacing)
 {
   constexpr float finest = 1.5F; // spacings of a cube
-  constexpr float coarsest = 3.0F;
   constexpr float step = 0.25F;
+  constexpr int views = 7;
   constexpr float closed = 0.9F;
   LayerSides layers;
   layers.normals = std::move(normals);
-  for (float cubes = finest; cubes <= coarsest; cubes += step) {
-    const OutsideSpace outside(surface, cubes * spacing);
+  for (int view = 0; view < views; ++view) {
+    const OutsideSpace outside(surface, (finest + static_cast<float>(view) * step) * spacing);
     std::vector<Sides> sides;
     for (std::size_t i = 0; i < places.size(); ++i) {
       sides.push_back(lookAround(outside, places[i], layers.normals[i]));

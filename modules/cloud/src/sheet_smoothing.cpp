@@ -249,7 +249,7 @@ withLeastRadius(Smoothing smoothing, float spacing)
 
 SheetPlaces
 moveToSheets(std::vector<Vector3> places,
-             const std::vector<Vector3>& cloud,
+             const std::vector<Vector3>& points,
              const Smoothing& smoothing,
              unsigned threads)
 {
@@ -260,9 +260,9 @@ moveToSheets(std::vector<Vector3> places,
   sheets.normals.resize(sheets.places.size());
   sheets.gaps.resize(sheets.places.size());
   sheets.support.resize(sheets.places.size());
-  const std::size_t times_enough = std::max<std::size_t>(1, fewestAround(cloud, smoothing.radius) / enough);
-  const std::vector<Vector3> points = everyFew(cloud, cloud.size() / times_enough);
-  const Neighbourhoods neighbourhoods(points, smoothing);
+  const std::size_t times_enough = std::max<std::size_t>(1, fewestAround(points, smoothing.radius) / enough);
+  const std::vector<Vector3> thinned = everyFew(points, points.size() / times_enough);
+  const Neighbourhoods neighbourhoods(thinned, smoothing);
   constexpr std::size_t grain = 64;
   parallelBlocks(sheets.places.size(), grain, threads, [&] {
     return [&, around = std::vector<Vector3>()](std::size_t begin, std::size_t end) mutable {

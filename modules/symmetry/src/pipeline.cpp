@@ -60,7 +60,8 @@ public:
   std::vector<Index>
   unassigned() const
   {
-    return std::vector<Index>(representatives_.size(), no_index);
+    std::vector<Index> none(representatives_.size(), no_index);
+    return none;
   }
 
   std::vector<Index>
@@ -217,23 +218,23 @@ bestReading(const Surface& surface,
   constexpr float doubtful = 0.3F;
   constexpr float contact = 1.0F; // spacings
   std::optional<Reading> best;
-  const auto tryReading = [&](NoiseReading noise, const std::vector<float>& depths) {
+  const auto try_reading = [&](NoiseReading noise, const std::vector<float>& depths) {
     tryDepths(surface, noise, depths, parameters, search, timer, summary, best);
   };
-  tryReading(NoiseReading::Smooth, {0.0F});
+  try_reading(NoiseReading::Smooth, {0.0F});
   if (surface.hasFaces() || parameters.method == Method::Staged || isSettled(best->estimate)) {
     return std::move(*best);
   }
   if (summary.smoothing_radius == 0.0F) {
     if (best->estimate.confidence < doubtful) {
-      tryReading(NoiseReading::Parted, {contact});
+      try_reading(NoiseReading::Parted, {contact});
     }
     return std::move(*best);
   }
-  tryReading(NoiseReading::Close, {0.0F});
+  try_reading(NoiseReading::Close, {0.0F});
   if (!isSettled(best->estimate)) {
     // Noise makes each reading uncertain, so that several are worth their time.
-    tryReading(NoiseReading::Parted, {contact, 0.0F, 0.7F * contact});
+    try_reading(NoiseReading::Parted, {contact, 0.0F, 0.7F * contact});
   }
   return std::move(*best);
 }
