@@ -58,4 +58,14 @@ TEST(StrayPoints, AreNoneOnASurfaceWithATenthOfTheDensity)
   EXPECT_EQ(std::count(stray.begin(), stray.end(), 1), 0);
 }
 
+TEST(StrayPoints, OfANoisyCloudAreOnlyThoseAlone)
+{
+  // A sparse part that noise makes as thick as wide.
+  std::vector<Vector3> points = sphereCloud(20000, 0.3F, {-0.5F, 0.0F, 0.0F});
+  const std::vector<Vector3> coarse = sphereCloud(1500, 0.3F, {0.5F, 0.0F, 0.0F});
+  points.insert(points.end(), coarse.begin(), coarse.end());
+  const std::vector<char> stray = strayPoints(noisy(points, 0.015F, 42));
+  EXPECT_LT(std::count(stray.begin(), stray.end(), 1), 15);
+}
+
 } // namespace

@@ -59,6 +59,20 @@ flatness(const std::vector<Vector3>& points, const NeighbourLists& lists, std::s
   return all > 0.0F ? std::sqrt(std::max(0.0F, solver.eigenvalues()(0)) / all) : 0.0F;
 }
 
+/** Whether noise fills space as stray points do: then these are told when the noise is smoothed. */
+bool
+isThick(const std::vector<Vector3>& points, const NeighbourLists& lists)
+{
+  constexpr float thick = 0.14F;
+  constexpr std::size_t probes = 1000;
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / probes);
+  std::vector<float> probed;
+  for (std::size_t v = 0; v < points.size(); v += stride) {
+    probed.push_back(flatness(points, lists, v));
+  }
+  return median(probed) > thick;
+}
+
 /** Marks also what has hardly any neighbours that are not marked. */
 void
 spread(const NeighbourLists& lists, std::vector<char>& stray)
@@ -98,9 +112,12 @@ neighbourDistances(const std::vector<Vector3>& points, const NeighbourLists& lis
 std::vector<char>
 findStrayPoints(const std::vector<Vector3>& points, const NeighbourLists& lists, const std::vector<float>& distances)
 {
-  constexpr float far_apart = 3.0F;    // times the median: as where the density is a tenth
+  constexpr float far_apart = 3.0F;    // times the median: about that where the density is a tenth
   constexpr float fills_space = 0.28F; // few points at random are rarely flatter, a surface rarely fuller
   std::vector<char> stray = findLonely(lists, distances);
+  if (isThick(points, lists)) {
+    return stray;
+  }
   const float far = far_apart * median(distances);
   bool found = false;
   for (std::size_t v = 0; v < points.size(); ++v) {
