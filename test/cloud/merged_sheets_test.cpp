@@ -80,6 +80,14 @@ TEST(MergedSheets, AreNotTold_WhereNothingIsEnclosed)
   EXPECT_TRUE(sidesOf(sheet).sides.empty());
 }
 
+TEST(MergedSheets, AreNotToldWithoutASpacing)
+{
+  const std::vector<Surfel> surfels(50, Surfel{{0.1F, 0.2F, 0.3F}, {0.0F, 0.0F, 1.0F}, 0.0F});
+  const std::vector<Vector3> places(50, Vector3{0.1F, 0.2F, 0.3F});
+  const std::vector<Vector3> normals(50, Vector3{0.0F, 0.0F, 1.0F});
+  EXPECT_TRUE(lookToBothSides(surfels, places, normals, 0.0F).sides.empty());
+}
+
 TEST(NeighboursOnOwnSheet, LeaveOutOpposedNormals)
 {
   const std::vector<Vector3> normals{

@@ -57,6 +57,9 @@ lookToBothSides(const std::vector<Surfel>& surface,
   constexpr float closed = 0.9F;
   LayerSides layers;
   layers.normals = std::move(normals);
+  if (!(spacing > 0.0F)) { // nothing but points at the same place as their neighbours
+    return layers;
+  }
   for (int view = 0; view < views; ++view) {
     const OutsideSpace outside(surface, (finest + static_cast<float>(view) * step) * spacing);
     std::vector<Sides> sides;
