@@ -40,9 +40,12 @@ struct ContactTest {
  * their shortest distrusted edges; parts that even the plain graph leaves apart, by links across the gap between them.
  * \param[in] points all finite
  * \param[in] lists k nearest neighbours
- * \param[in] given_normals used instead of estimated ones; their orientation is trusted as \a is_oriented says; may be
- * empty \param[in] radius longest edge, 0: no limit \param[in] is_oriented for which of the given normals that is so;
- * empty: all. The others are turned to agree with these
+ * \param[in] given_normals used instead of estimated ones; may be empty
+ *
+ * \param[in] radius longest edge, 0: no limit
+ *
+ * \param[in] is_oriented which of the given normals are turned the right way, the others are turned to agree with them;
+ * empty: all
  */
 CloudSurface
 buildCloudSurface(const std::vector<Vector3>& points,

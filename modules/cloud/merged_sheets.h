@@ -27,8 +27,8 @@ struct LayerSides {
 
 /** \brief Looks from places along their normals for the outside.
  *
- * Holes of the surface are closed as far as needed: the coarsest view is tried in which nine of ten places have an
- * inside.
+ * Cubes of the space become larger, and close wider holes, until nine of ten places have an inside.
+ *
  * \param[in] surface that may enclose a body
  * \param[in] normals of either sign
  * \param[in] spacing of the places */

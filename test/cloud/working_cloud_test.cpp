@@ -162,6 +162,8 @@ TEST_P(SheetsInContactTest, HasTwoPointsWhereTwoSheetsTouch)
   ASSERT_EQ(cloud.original.size(), cloud.points.size());
   std::size_t left = 0;
   std::size_t right = 0;
+  float sum_left = 0.0F;
+  float sum_right = 0.0F;
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
     const Vector3& p = cloud.points[i];
     const bool is_contact = std::abs(p[0]) < 0.01F && std::hypot(p[1], p[2]) < 0.08F;
@@ -172,9 +174,11 @@ TEST_P(SheetsInContactTest, HasTwoPointsWhereTwoSheetsTouch)
     ASSERT_NE(cloud.is_oriented[i], 0);
     ASSERT_GT(std::abs(cloud.normals[i][0]), 0.9F);
     ++(cloud.normals[i][0] > 0.0F ? left : right);
+    (cloud.normals[i][0] > 0.0F ? sum_left : sum_right) += p[0];
   }
   EXPECT_GT(left, 20U);
   EXPECT_EQ(left, right);
+  EXPECT_LT(sum_left, sum_right);
   std::size_t outward = 0;
   std::size_t inward = 0;
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
