@@ -99,6 +99,20 @@ TEST(WorkingCloud, HasNoOutliers)
   EXPECT_EQ(cloud.representatives[1004], 1000);
 }
 
+TEST(WorkingCloud, StandsForTheTipOfASparseSpike)
+{
+  std::vector<Vector3> points = sphereCloud(3000, sphere_radius);
+  const auto n = static_cast<Index>(points.size());
+  points.push_back({0.0F, 0.0F, sphere_radius + 0.06F});  // n: as far as some gaps are wide
+  points.push_back({0.0F, 0.0F, sphere_radius + 0.14F});  // n + 1: alone, but not far from that one
+  points.push_back({0.0F, 0.0F, -sphere_radius - 0.14F}); // n + 2: alone
+  const WorkingCloud cloud = workingCloud(points);
+  expectConsistent(cloud, points.size());
+  EXPECT_EQ(cloud.points.size(), static_cast<std::size_t>(n) + 1);
+  EXPECT_EQ(cloud.representatives[n + 1], cloud.representatives[n]);
+  EXPECT_EQ(cloud.representatives[n + 2], no_index);
+}
+
 TEST(WorkingCloud, LiesOnTheSurfaceThatNoiseHides)
 {
   const std::vector<Vector3> points = noisy(sphereCloud(20000, sphere_radius), 0.01F, 5);

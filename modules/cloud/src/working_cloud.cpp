@@ -205,6 +205,30 @@ surfels(const Selection& selection, const std::vector<float>& gaps, float spacin
   return discs;
 }
 
+/** Lets what was left out be stood for by a point that is hardly farther from it than from its neighbours: of no use
+ * for the surface (the tip of a claw, alone in a sparse place), but on it all the same. \param[in] mean_distances of
+ * the points to their neighbours */
+void
+takeInNearby(const std::vector<Vector3>& points,
+             const NeighbourLists& lists,
+             const std::vector<float>& mean_distances,
+             std::vector<Index>& representatives)
+{
+  constexpr float hardly_farther = 2.0F;
+  const std::vector<Index> before = representatives;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    for (std::size_t i = v * lists.k; representatives[v] == no_index && i < (v + 1) * lists.k; ++i) {
+      const Index u = lists.neighbours[i];
+      if (u == no_index) {
+        break;
+      }
+      if (before[u] != no_index && distance(points[u], points[v]) <= hardly_farther * mean_distances[u]) {
+        representatives[v] = before[u];
+      }
+    }
+  }
+}
+
 /** Puts a second point where two sheets have merged into one layer, each a little way into its own body. Points of the
  * cloud stay with the sheet of the side that they are on. */
 void
@@ -291,6 +315,7 @@ makeWorkingCloud(const std::vector<Vector3>& points,
   for (std::size_t i = 0; i < number.size(); ++i) {
     cloud.representatives[number[i]] = selection.nearest[i];
   }
+  takeInNearby(points, lists, mean_distances, cloud.representatives);
   if (!surface.empty()) {
     const LayerSides layers =
         lookToBothSides(surface, cloud.points, std::move(selection.normals), std::max(spacing, mean_distance));
