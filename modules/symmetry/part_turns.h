@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "symmetry/coarse_surface.h"
+#include "symmetry/patch_fitting.h"
 
 #include <vector>
 
@@ -16,6 +16,7 @@ namespace symmetry {
  * alignment of patches, which only goes downhill, does not find its way from a cheek to the nose. Here a reflection is
  * fitted to each end and its image, and again from several turns about its axis (the line from the middle of the end to
  * its tip); the best of them replaces the map there if it is clearly better.
+ * \param[in] fitting of the samples in \a coarse
  * \param[in] tips samples at the ends
  * \param[in] radius geodesic, of an end around its tip
  * \param[in] partners partner point of every sample; corrected in place
@@ -23,6 +24,7 @@ namespace symmetry {
 std::size_t
 turnParts(const PreparedSurface& surface,
           const CoarseSurface& coarse,
+          const PatchFitting& fitting,
           const std::vector<Index>& tips,
           float radius,
           std::vector<Index>& partners,

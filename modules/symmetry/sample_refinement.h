@@ -7,6 +7,7 @@
 #include "symmetry/laplacian_basis.h"
 #include "symmetry/patch_alignment.h"
 #include "symmetry/point_map.h"
+#include "symmetry/reflection_growth.h"
 #include "symmetry/sample_interpolation.h"
 #include "symmetry/symmetry_search.h"
 
@@ -24,6 +25,7 @@ struct RefinementSettings {
   int patch_rounds = 3;
   std::vector<float> end_radii{0.12F, 0.18F}; ///< ends of the body that are turned; empty: none
   float end_separation = 0.12F;               ///< of the tips of these ends
+  GrowthSettings growth;                      ///< of what does not fit from what does
   int mutual_rounds = 4;                      ///< in which partners are drawn towards a map that is its own inverse
   std::uint32_t probes = 16; ///< points of a cell from which nearest ones are searched over the surface
   ScoreWeights score;
@@ -66,6 +68,9 @@ public:
   refine(const SymmetryCandidate& candidate) const;
 
 private:
+  void
+  turnEnds(std::vector<Index>& partners) const;
+
   std::vector<Index>
   spectralPartners(const SymmetryCandidate& candidate) const;
 
@@ -78,6 +83,7 @@ private:
   CellMembers probes_; ///< points of each cell from which nearest ones are searched
   const RefinementSettings& settings_;
   unsigned threads_;
+  PatchFitting fitting_;
   ShapeDescriptor guide_;
   UpwardRefinement upward_;
   std::vector<PatchAlignment> alignments_; ///< one per size of patches

@@ -1,4 +1,4 @@
-#include "support/coarse_body.h"
+#include "support/sample_partners.h"
 #include "symmetry/part_turns.h"
 #include "symmetry/patch_alignment.h"
 #include "symmetry/place_matches.h"
@@ -21,16 +21,6 @@ human()
   return body;
 }
 
-std::vector<Index>
-truePartners(const CoarseBody& body)
-{
-  std::vector<Index> partners;
-  for (const Index v : body.coarse.cells.vertices) {
-    partners.push_back(body.model.partners[v]);
-  }
-  return partners;
-}
-
 /** Every partner replaced by some point of a cell adjacent to its own. */
 std::vector<Index>
 scattered(const CoarseBody& body, std::vector<Index> partners)
@@ -43,18 +33,6 @@ scattered(const CoarseBody& body, std::vector<Index> partners)
     partner = body.coarse.cells.vertices[graph.neighbours[graph.offsets[cell] + random() % degree]];
   }
   return partners;
-}
-
-/** Mean distance between partners and true partners, in spacings of the samples. */
-float
-errorOf(const CoarseBody& body, const std::vector<Index>& partners)
-{
-  const std::vector<Index> truth = truePartners(body);
-  float sum = 0.0F;
-  for (std::size_t i = 0; i < partners.size(); ++i) {
-    sum += distance(body.surface.points[partners[i]], body.surface.points[truth[i]]);
-  }
-  return sum / (static_cast<float>(partners.size()) * sampleSpacing(body.coarse));
 }
 
 Index
@@ -204,13 +182,14 @@ TEST(TurnParts, TurnsATwistedHeadBack)
   const CoarseBody& body = human();
   const float radius = 0.12F * body.hubs.diameter;
   const std::vector<Index> tips{topOfHead(body)};
+  const PatchFitting fitting(body.coarse);
   for (const float angle : {-1.6F, 1.2F}) {
     const std::vector<Index> twisted = withTurnedHead(body, radius, angle);
     std::vector<Index> partners = twisted;
-    EXPECT_EQ(turnParts(body.surface, body.coarse, tips, radius, partners, 1), 1U);
+    EXPECT_EQ(turnParts(body.surface, body.coarse, fitting, tips, radius, partners, 1), 1U);
     EXPECT_LT(errorOf(body, partners), 0.5F * errorOf(body, twisted)) << angle;
     std::vector<Index> again = twisted;
-    turnParts(body.surface, body.coarse, tips, radius, again, 3);
+    turnParts(body.surface, body.coarse, fitting, tips, radius, again, 3);
     EXPECT_EQ(partners, again);
   }
 }
@@ -218,10 +197,13 @@ TEST(TurnParts, TurnsATwistedHeadBack)
 TEST(TurnParts, LeavesTheTrueMapAlone)
 {
   const CoarseBody& body = human();
+  const PatchFitting fitting(body.coarse);
   std::vector<Index> partners = truePartners(body);
-  EXPECT_EQ(turnParts(body.surface, body.coarse, body.hubs.extremities, 0.12F * body.hubs.diameter, partners, 1), 0U);
+  EXPECT_EQ(
+      turnParts(body.surface, body.coarse, fitting, body.hubs.extremities, 0.12F * body.hubs.diameter, partners, 1),
+      0U);
   EXPECT_EQ(partners, truePartners(body));
-  EXPECT_EQ(turnParts(body.surface, body.coarse, {}, 0.1F, partners, 1), 0U);
+  EXPECT_EQ(turnParts(body.surface, body.coarse, fitting, {}, 0.1F, partners, 1), 0U);
 }
 
 } // namespace

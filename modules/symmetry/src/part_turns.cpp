@@ -2,49 +2,28 @@
 
 #include "geodesic/parallel.h"
 #include "geodesic/vector_math.h"
-#include "symmetry/rigid_reflection.h"
-#include "symmetry/surface_patch.h"
 
 #include <Eigen/Geometry>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace pcl {
 namespace symmetry {
 namespace {
 
-/** A reflection of an end and how badly its image fits the surface. */
-struct EndFit {
-  RigidReflection reflection;
-  float misfit = std::numeric_limits<float>::infinity();
-};
-
-/** One end of a body and the region that a map sends it to. */
+/** One end of a body and the image that a map has of it. */
 class BodyEnd {
 public:
   BodyEnd(const PreparedSurface& surface,
           const CoarseSurface& coarse,
+          const PatchFitting& fitting,
           Index tip,
           float radius,
           const std::vector<Index>& partners)
-      : coarse_(coarse), tip_(tip), spacing_(sampleSpacing(coarse)), patch_(patchAround(coarse, tip, radius))
+      : coarse_(coarse),
+        fitting_(fitting),
+        tip_(tip),
+        patch_(patchAround(coarse, tip, radius)),
+        by_map_(fitting.byMap(patch_, surface, partners))
   {
-    for (const PatchMember& member : patch_) {
-      const Index cell = coarse.cells.owner[partners[member.sample]];
-      region_.push_back(cell);
-      region_.insert(region_.end(), coarse.graph.neighbours.begin() + coarse.graph.offsets[cell],
-                     coarse.graph.neighbours.begin() + coarse.graph.offsets[cell + 1]);
-    }
-    std::sort(region_.begin(), region_.end());
-    region_.erase(std::unique(region_.begin(), region_.end()), region_.end());
-    constexpr std::size_t most = 60;
-    for (std::size_t k = 0; k < std::min(most, patch_.size()); ++k) {
-      const Index sample = patch_[k].sample;
-      matches_.push_back({coarse.points[sample], coarse.normals[sample], surface.points[partners[sample]],
-                          surface.normals[partners[sample]], patch_[k].weight});
-    }
   }
 
   bool
@@ -61,118 +40,63 @@ public:
   }
 
   /** As the map has it. */
-  EndFit
+  PatchPlacement
   present() const
   {
-    return settled(fitReflection(matches_, 2.0F * spacing_));
+    return fitting_.settled(patch_, by_map_);
   }
 
   /** After a turn of the image about its axis. */
-  EndFit
-  turned(const EndFit& fit, float angle) const
+  PatchPlacement
+  turned(const PatchPlacement& placement, float angle) const
   {
     Vector3 middle{0.0F, 0.0F, 0.0F};
     float total = 0.0F;
-    for (const OrientedMatch& match : matches_) {
-      middle = middle + match.weight * match.from;
-      total += match.weight;
+    for (const PatchMember& member : patch_) {
+      middle = middle + member.weight * coarse_.points[member.sample];
+      total += member.weight;
     }
     middle = (1.0F / total) * middle;
-    const Vector3 axis = normalized(fit.reflection.turned(coarse_.points[tip_] - middle));
-    const Vector3 centre = fit.reflection(middle);
+    const Vector3 axis = normalized(placement.reflection.turned(coarse_.points[tip_] - middle));
+    const Vector3 centre = placement.reflection(middle);
     const Eigen::Vector3f c(centre[0], centre[1], centre[2]);
     const Eigen::Matrix3f turn =
         Eigen::AngleAxisf(angle, Eigen::Vector3f(axis[0], axis[1], axis[2])).toRotationMatrix();
-    RigidReflection reflection = fit.reflection;
-    reflection.linear = turn * fit.reflection.linear;
-    reflection.shift = turn * (fit.reflection.shift - c) + c;
-    return settled(reflection);
-  }
-
-  /** Sample of the region that is nearest to the image of a sample and faces the same way. */
-  Index
-  imageOf(Index sample, const RigidReflection& reflection) const
-  {
-    return nearest(reflection(coarse_.points[sample]), reflection.turned(coarse_.normals[sample])).sample;
+    RigidReflection reflection = placement.reflection;
+    reflection.linear = turn * placement.reflection.linear;
+    reflection.shift = turn * (placement.reflection.shift - c) + c;
+    return fitting_.settled(patch_, reflection);
   }
 
 private:
-  struct Nearest {
-    Index sample = no_index;
-    float cost = std::numeric_limits<float>::infinity();
-  };
-
-  Nearest
-  nearest(const Vector3& place, const Vector3& normal) const
-  {
-    const float turn_cost = 8.0F * spacing_ * spacing_;
-    Nearest best;
-    for (const Index i : region_) {
-      const Vector3 off = coarse_.points[i] - place;
-      const float cost = dot(off, off) + turn_cost * (1.0F - dot(normal, coarse_.normals[i]));
-      if (cost < best.cost) {
-        best = {i, cost};
-      }
-    }
-    return best;
-  }
-
-  /** Iterative closest points from a reflection on. */
-  EndFit
-  settled(RigidReflection reflection) const
-  {
-    constexpr int rounds = 4;
-    EndFit fit;
-    for (int round = 0;; ++round) {
-      std::vector<OrientedMatch> matches = matches_;
-      float sum = 0.0F;
-      float total = 0.0F;
-      for (OrientedMatch& match : matches) {
-        const Vector3 place = reflection(match.from);
-        const Nearest found = nearest(place, reflection.turned(match.from_normal));
-        match.to = coarse_.points[found.sample];
-        match.to_normal = coarse_.normals[found.sample];
-        const float off_plane = dot(match.to_normal, match.to - place);
-        const float turn = 1.0F - dot(match.to_normal, reflection.turned(match.from_normal));
-        sum += match.weight * (off_plane * off_plane / (spacing_ * spacing_) + turn);
-        total += match.weight;
-      }
-      fit.reflection = reflection;
-      fit.misfit = sum / total;
-      if (round == rounds) {
-        return fit;
-      }
-      reflection = fitReflection(matches, 2.0F * spacing_);
-    }
-  }
-
   const CoarseSurface& coarse_;
+  const PatchFitting& fitting_;
   Index tip_;
-  float spacing_;
   SurfacePatch patch_;
-  std::vector<Index> region_; ///< samples
-  std::vector<OrientedMatch> matches_;
+  RigidReflection by_map_;
 };
 
-/** The better fit of an end, if there is one that is clearly better than the present one. */
-EndFit
-betterFit(const BodyEnd& end)
+/** Whether an end fits clearly better after some turn of its image. \param[out] better that one */
+bool
+findBetterTurn(const BodyEnd& end, PatchPlacement& better)
 {
-  constexpr float well = 0.03F;
+  constexpr float well = 0.02F;
   constexpr float clearly = 0.6F;
   constexpr int turns = 8;
-  const EndFit present = end.present();
-  EndFit best;
+  const PatchPlacement present = end.present();
   if (present.misfit < well) {
-    return best;
+    return false;
   }
+  better.misfit = clearly * present.misfit;
+  bool is_found = false;
   for (int k = 1; k < turns; ++k) {
-    const EndFit fit = end.turned(present, static_cast<float>(k) * 6.2831853F / static_cast<float>(turns));
-    if (fit.misfit < best.misfit) {
-      best = fit;
+    const PatchPlacement turned = end.turned(present, static_cast<float>(k) * 6.2831853F / static_cast<float>(turns));
+    if (turned.misfit < better.misfit) {
+      better = turned;
+      is_found = true;
     }
   }
-  return best.misfit < clearly * present.misfit ? best : EndFit{};
+  return is_found;
 }
 
 } // namespace
@@ -180,6 +104,7 @@ betterFit(const BodyEnd& end)
 std::size_t
 turnParts(const PreparedSurface& surface,
           const CoarseSurface& coarse,
+          const PatchFitting& fitting,
           const std::vector<Index>& tips,
           float radius,
           std::vector<Index>& partners,
@@ -187,14 +112,16 @@ turnParts(const PreparedSurface& surface,
 {
   std::vector<std::vector<std::pair<Index, Index>>> moved(tips.size());
   parallelFor(tips.size(), threads, [&](std::size_t k) {
-    const BodyEnd end(surface, coarse, tips[k], radius, partners);
-    if (!end.isLargeEnough()) {
+    const BodyEnd end(surface, coarse, fitting, tips[k], radius, partners);
+    PatchPlacement better;
+    if (!end.isLargeEnough() || !findBetterTurn(end, better)) {
       return;
     }
-    const EndFit fit = betterFit(end);
-    if (std::isfinite(fit.misfit)) {
-      for (const PatchMember& member : end.patch()) {
-        const Index image = end.imageOf(member.sample, fit.reflection);
+    for (const PatchMember& member : end.patch()) {
+      const RigidReflection& reflection = better.reflection;
+      const Index image = fitting.nearestFacing(reflection(coarse.points[member.sample]),
+                                                reflection.turned(coarse.normals[member.sample]));
+      if (image != no_index) {
         moved[k].push_back({member.sample, coarse.cells.vertices[image]});
       }
     }

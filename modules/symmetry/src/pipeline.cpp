@@ -2,12 +2,10 @@
 
 #include "symmetry/axis_curve.h"
 #include "symmetry/map_quality.h"
-#include "symmetry/robust_method.h"
+#include "symmetry/readings.h"
 #include "symmetry/sides.h"
-#include "symmetry/staged_method.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace pcl {
 namespace symmetry {
@@ -116,127 +114,6 @@ deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, Symme
     result.axis.push_back(std::move(line));
   }
   result.map.axis = static_cast<std::size_t>(std::count(result.sides.begin(), result.sides.end(), Side::Axis));
-}
-
-MapEstimate
-estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameters, StepTimer& timer)
-{
-  if (parameters.method == Method::Staged) {
-    return estimateStaged(prepared, parameters, timer);
-  }
-  static const RobustSettings default_settings;
-  return estimateRobust(prepared, parameters, default_settings, timer);
-}
-
-struct Reading {
-  PreparedSurface surface;
-  MapEstimate estimate;
-};
-
-/** Which points of a cloud touch and which are connected cannot always be told: the ways to read it, the most trusting
- * first. */
-std::vector<ContactTest>
-contactTests(const Surface& surface, const SymmetryParameters& parameters, float depth = 0.0F)
-{
-  if (surface.hasFaces() || parameters.method == Method::Staged) {
-    return {ContactTest{}};
-  }
-  return {{0.5F, 3.0F, depth}, {0.8F, 4.0F, depth}, {0.95F, 8.0F, depth}};
-}
-
-bool
-isBetter(const MapEstimate& a, const MapEstimate& b)
-{
-  const bool a_found = a.status == SymmetryStatus::Symmetric;
-  const bool b_found = b.status == SymmetryStatus::Symmetric;
-  return a_found != b_found ? a_found : a.confidence > b.confidence;
-}
-
-bool
-isSettled(const MapEstimate& estimate)
-{
-  constexpr float beyond_doubt = 0.9F;
-  return estimate.confidence >= beyond_doubt || estimate.status == SymmetryStatus::TooFewPoints;
-}
-
-/** Tries ways to read a surface until one is beyond doubt. \param[in,out] best the most convincing one so far, if any;
- * \param[out] summary what was used, also if the timer cancels */
-void
-tryReadings(const UsablePoints& usable,
-            const std::vector<ContactTest>& tests,
-            const SymmetryParameters& parameters,
-            StepTimer& timer,
-            InputSummary& summary,
-            std::optional<Reading>& best)
-{
-  for (const ContactTest& contact : tests) {
-    timer.start("graph", 0.0);
-    Reading reading;
-    reading.surface = prepareSurface(usable, parameters, contact);
-    summary = reading.surface.summary;
-    reading.estimate = estimateMap(reading.surface, parameters, timer);
-    if (!best || isBetter(reading.estimate, best->estimate)) {
-      best = std::move(reading);
-    }
-    if (isSettled(best->estimate)) {
-      return;
-    }
-  }
-}
-
-/** Reads the points of a surface in one way and their contacts in several. \param[in] depths see ContactTest
- * \param[in,out] best the most convincing reading so far, if any; the summary is that of the last one */
-void
-tryDepths(const Surface& surface,
-          NoiseReading noise,
-          const std::vector<float>& depths,
-          const SymmetryParameters& parameters,
-          const NeighbourSearch& search,
-          StepTimer& timer,
-          InputSummary& summary,
-          std::optional<Reading>& best)
-{
-  timer.start("graph", 0.0);
-  const UsablePoints usable = usablePoints(surface, parameters, search, noise);
-  for (const float depth : depths) {
-    tryReadings(usable, contactTests(surface, parameters, depth), parameters, timer, summary, best);
-    if (isSettled(best->estimate)) {
-      return;
-    }
-  }
-}
-
-/** Of the readings of a surface the one with the most convincing symmetry. \param[out] summary what was used, also if
- * the timer cancels */
-Reading
-bestReading(const Surface& surface,
-            const SymmetryParameters& parameters,
-            const NeighbourSearch& search,
-            StepTimer& timer,
-            InputSummary& summary)
-{
-  constexpr float doubtful = 0.3F;
-  constexpr float contact = 1.0F; // spacings
-  std::optional<Reading> best;
-  const auto try_reading = [&](NoiseReading noise, const std::vector<float>& depths) {
-    tryDepths(surface, noise, depths, parameters, search, timer, summary, best);
-  };
-  try_reading(NoiseReading::Smooth, {0.0F});
-  if (surface.hasFaces() || parameters.method == Method::Staged || isSettled(best->estimate)) {
-    return std::move(*best);
-  }
-  if (summary.smoothing_radius == 0.0F) {
-    if (best->estimate.confidence < doubtful) {
-      try_reading(NoiseReading::Parted, {contact});
-    }
-    return std::move(*best);
-  }
-  try_reading(NoiseReading::Close, {0.0F});
-  if (!isSettled(best->estimate)) {
-    // Noise makes each reading uncertain, so that several are worth their time.
-    try_reading(NoiseReading::Parted, {contact, 0.0F, 0.7F * contact});
-  }
-  return std::move(*best);
 }
 
 void

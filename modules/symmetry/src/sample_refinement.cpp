@@ -79,6 +79,7 @@ SampleRefinement::SampleRefinement(const PreparedSurface& surface,
       probes_(thinnedMembers(members, settings.probes)),
       settings_(settings),
       threads_(threads),
+      fitting_(coarse),
       guide_(describeGuide(coarse, basis, settings.guide_dimensions)),
       upward_(basis.functions, guide_, static_cast<Eigen::Index>(coarse.size()), settings.levels, settings.guidance)
 {
@@ -96,22 +97,31 @@ SampleRefinement::spectralPartners(const SymmetryCandidate& candidate) const
   return partnersOfSamples(coarse_, basis_, interpolation_, members_, map, matrix, threads_);
 }
 
+void
+SampleRefinement::turnEnds(std::vector<Index>& partners) const
+{
+  constexpr std::size_t most = 16;
+  const std::vector<Index> tips = extremitiesOf(hubs_, settings_.end_separation, most);
+  for (const float radius : settings_.end_radii) {
+    turnParts(surface_, coarse_, fitting_, tips, radius * hubs_.diameter, partners, threads_);
+  }
+}
+
 SampleEstimate
 SampleRefinement::refine(const SymmetryCandidate& candidate) const
 {
   SampleEstimate estimate;
   std::vector<Index>& partners = estimate.partners;
   partners = spectralPartners(candidate);
-  bool ends_are_turned = false;
+  bool is_roughly_in_place = false;
   for (const PatchAlignment& alignment : alignments_) {
     partners = alignment.align(std::move(partners), settings_.patch_rounds, threads_);
-    // Turning needs images that are roughly in place; the smaller patches then smooth what it has torn.
-    for (std::size_t k = 0; !ends_are_turned && k < settings_.end_radii.size(); ++k) {
-      constexpr std::size_t most = 16;
-      turnParts(surface_, coarse_, extremitiesOf(hubs_, settings_.end_separation, most),
-                settings_.end_radii[k] * hubs_.diameter, partners, threads_);
+    if (!is_roughly_in_place) {
+      // The smaller patches then smooth what this tears.
+      turnEnds(partners);
+      growReflections(surface_, coarse_, fitting_, hubs_.diameter, settings_.growth, partners, threads_);
+      is_roughly_in_place = true;
     }
-    ends_are_turned = true;
   }
   partners = mutualPartners(surface_, coarse_, probes_, std::move(partners), settings_.mutual_rounds, threads_);
   for (const Index partner : partners) {

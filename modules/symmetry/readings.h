@@ -1,0 +1,74 @@
+/** \file
+ * \brief Ways to read a surface, and the one whose symmetry convinces most.
+ */
+#pragma once
+
+#include "geodesic/neighbour_graph.h"
+#include "symmetry/map_estimate.h"
+#include "symmetry/prepared_surface.h"
+#include "symmetry/step_timer.h"
+
+#include <pcl/symmetry/symmetry_parameters.h>
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief A surface as it was understood, and its symmetry. */
+struct Reading {
+  PreparedSurface surface;
+  MapEstimate estimate;
+};
+
+/** \brief Readings of one surface that contradict each other.
+ *
+ * Of readings with the same map only the one with the highest confidence is kept, but all speak for it: noise and
+ * contacts make any one reading uncertain, and wrong ones are wrong in different ways. */
+class RivalReadings {
+public:
+  /** \brief Adds a reading to those with the same map, or as a new rival. */
+  void
+  add(Reading reading);
+
+  /** \brief Whether the best reading is beyond doubt, or there is nothing to read. False where there is none. */
+  bool
+  isSettled() const;
+
+  /** \brief The one with the highest sum of confidences; of several that found no symmetry the one closest to it. There
+   * must be one. */
+  const Reading&
+  best() const;
+
+  /** \brief Hands over the best one. */
+  Reading
+  takeBest();
+
+private:
+  struct Rival {
+    Reading reading;
+    std::vector<Vector3> images; ///< of some points of the input; empty if there is no dense map
+    float evidence = 0.0F;       ///< sum of confidences, 0 without symmetry
+  };
+
+  std::size_t
+  bestRival() const;
+
+  std::vector<Rival> rivals_;
+};
+
+/** \brief Reads a surface in one way after another until the result is beyond doubt.
+ *
+ * A mesh is read once. A cloud leaves open which points touch and which are connected, and a noisy one also where the
+ * surface is.
+ * \param[out] summary what was used, also if the timer cancels
+ * \throws Cancelled by the timer */
+Reading
+bestReading(const Surface& surface,
+            const SymmetryParameters& parameters,
+            const NeighbourSearch& search,
+            StepTimer& timer,
+            InputSummary& summary);
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,210 @@
+#include "symmetry/readings.h"
+
+#include "geodesic/vector_math.h"
+#include "symmetry/robust_method.h"
+#include "symmetry/staged_method.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Where some evenly numbered points of the input go; not a number where they go nowhere. Empty without a dense map. */
+std::vector<Vector3>
+imagesOfProbes(const Reading& reading)
+{
+  constexpr std::size_t probes = 500;
+  constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<Index>& representatives = reading.surface.representatives;
+  const std::vector<Index>& partners = reading.estimate.partners;
+  std::vector<Vector3> images;
+  const std::size_t step = std::max<std::size_t>(1, representatives.size() / probes);
+  for (std::size_t v = 0; !partners.empty() && v < representatives.size(); v += step) {
+    const Index partner = representatives[v] == no_index ? no_index : partners[representatives[v]];
+    images.push_back(partner == no_index ? Vector3{nowhere, nowhere, nowhere} : reading.surface.points[partner]);
+  }
+  return images;
+}
+
+/** Whether most points go to the same places; so they do where there are none. */
+bool
+areAlike(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
+{
+  constexpr float near = 0.1F; // surfaces are at unit scale
+  constexpr double most = 0.7;
+  std::size_t both = 0;
+  std::size_t alike = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    const float apart = distance(a[i], b[i]);
+    both += apart >= 0.0F ? 1U : 0U; // false for what is not a number
+    alike += apart < near ? 1U : 0U;
+  }
+  return static_cast<double>(alike) >= most * static_cast<double>(both);
+}
+
+MapEstimate
+estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameters, StepTimer& timer)
+{
+  if (parameters.method == Method::Staged) {
+    return estimateStaged(prepared, parameters, timer);
+  }
+  static const RobustSettings default_settings;
+  return estimateRobust(prepared, parameters, default_settings, timer);
+}
+
+/** Which points of a cloud touch and which are connected cannot always be told: the ways to read it, the most trusting
+ * first. */
+std::vector<ContactTest>
+contactTests(const Surface& surface, const SymmetryParameters& parameters, float depth)
+{
+  if (surface.hasFaces() || parameters.method == Method::Staged) {
+    return {ContactTest{}};
+  }
+  return {{0.5F, 3.0F, depth}, {0.8F, 4.0F, depth}, {0.95F, 8.0F, depth}};
+}
+
+/** Reads one surface in several ways. */
+class Reader {
+public:
+  Reader(const Surface& surface,
+         const SymmetryParameters& parameters,
+         const NeighbourSearch& search,
+         StepTimer& timer,
+         InputSummary& summary)
+      : surface_(surface), parameters_(parameters), search_(search), timer_(timer), summary_(summary)
+  {
+  }
+
+  /** Reads the noise in one way and contacts in several, until the result is beyond doubt.
+   * \param[in] depths see ContactTest */
+  void
+  read(NoiseReading noise, const std::vector<float>& depths)
+  {
+    timer_.start("graph", 0.0);
+    const UsablePoints usable = usablePoints(surface_, parameters_, search_, noise);
+    for (const float depth : depths) {
+      for (const ContactTest& contact : contactTests(surface_, parameters_, depth)) {
+        timer_.start("graph", 0.0);
+        Reading reading;
+        reading.surface = prepareSurface(usable, parameters_, contact);
+        summary_ = reading.surface.summary;
+        reading.estimate = estimateMap(reading.surface, parameters_, timer_);
+        rivals_.add(std::move(reading));
+        if (rivals_.isSettled()) {
+          return;
+        }
+      }
+    }
+  }
+
+  RivalReadings&
+  rivals()
+  {
+    return rivals_;
+  }
+
+private:
+  const Surface& surface_;
+  const SymmetryParameters& parameters_;
+  const NeighbourSearch& search_;
+  StepTimer& timer_;
+  InputSummary& summary_;
+  RivalReadings rivals_;
+};
+
+} // namespace
+
+void
+RivalReadings::add(Reading reading)
+{
+  const bool is_found = reading.estimate.status == SymmetryStatus::Symmetric;
+  const float confidence = reading.estimate.confidence;
+  std::vector<Vector3> images = is_found ? imagesOfProbes(reading) : std::vector<Vector3>{};
+  const auto same = std::find_if(rivals_.begin(), rivals_.end(), [&](const Rival& rival) {
+    const bool rival_is_found = rival.reading.estimate.status == SymmetryStatus::Symmetric;
+    return is_found == rival_is_found && areAlike(images, rival.images);
+  });
+  if (same == rivals_.end()) {
+    rivals_.push_back({std::move(reading), std::move(images), is_found ? confidence : 0.0F});
+    return;
+  }
+  same->evidence += is_found ? confidence : 0.0F;
+  if (confidence > same->reading.estimate.confidence) {
+    same->reading = std::move(reading);
+    same->images = std::move(images);
+  }
+}
+
+bool
+RivalReadings::isSettled() const
+{
+  constexpr float beyond_doubt = 0.9F;
+  if (rivals_.empty()) {
+    return false;
+  }
+  const std::size_t best = bestRival();
+  const MapEstimate& estimate = rivals_[best].reading.estimate;
+  float contradicting = 0.0F;
+  for (std::size_t i = 0; i < rivals_.size(); ++i) {
+    contradicting += i == best ? 0.0F : rivals_[i].evidence;
+  }
+  return estimate.status == SymmetryStatus::TooFewPoints ||
+         (estimate.confidence >= beyond_doubt && rivals_[best].evidence > contradicting);
+}
+
+const Reading&
+RivalReadings::best() const
+{
+  return rivals_[bestRival()].reading;
+}
+
+Reading
+RivalReadings::takeBest()
+{
+  return std::move(rivals_[bestRival()].reading);
+}
+
+std::size_t
+RivalReadings::bestRival() const
+{
+  const auto comes_before = [](const Rival& a, const Rival& b) {
+    return a.evidence != b.evidence ? a.evidence > b.evidence
+                                    : a.reading.estimate.confidence > b.reading.estimate.confidence;
+  };
+  return static_cast<std::size_t>(std::min_element(rivals_.begin(), rivals_.end(), comes_before) - rivals_.begin());
+}
+
+Reading
+bestReading(const Surface& surface,
+            const SymmetryParameters& parameters,
+            const NeighbourSearch& search,
+            StepTimer& timer,
+            InputSummary& summary)
+{
+  constexpr float doubtful = 0.3F;
+  constexpr float contact = 1.0F; // spacings
+  Reader reader(surface, parameters, search, timer, summary);
+  RivalReadings& rivals = reader.rivals();
+  reader.read(NoiseReading::Close, {0.0F});
+  if (surface.hasFaces() || parameters.method == Method::Staged || rivals.isSettled()) {
+    return rivals.takeBest();
+  }
+  if (summary.smoothing_radius == 0.0F) {
+    if (rivals.best().estimate.confidence < doubtful) {
+      reader.read(NoiseReading::Parted, {contact});
+    }
+    return rivals.takeBest();
+  }
+  reader.read(NoiseReading::Smooth, {0.0F});
+  if (!rivals.isSettled()) {
+    // Noise makes each reading uncertain, so that several are worth their time.
+    reader.read(NoiseReading::Parted, {contact, 0.0F, 0.7F * contact});
+  }
+  return rivals.takeBest();
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,103 @@
+#include "symmetry/readings.h"
+
+#include <gtest/gtest.h>
+
+using namespace pcl::symmetry;
+
+namespace {
+
+constexpr Index number = 200;
+
+/** Points along a line; point i has the partner first + i, modulo their number. */
+Reading
+readingOf(Index first, float confidence, SymmetryStatus status = SymmetryStatus::Symmetric)
+{
+  Reading reading;
+  for (Index i = 0; i < number; ++i) {
+    reading.surface.points.push_back({static_cast<float>(i) / static_cast<float>(number), 0.0F, 0.0F});
+    reading.surface.representatives.push_back(i);
+    if (status == SymmetryStatus::Symmetric) {
+      reading.estimate.partners.push_back((first + i) % number);
+    }
+  }
+  reading.estimate.confidence = confidence;
+  reading.estimate.status = status;
+  return reading;
+}
+
+TEST(RivalReadings, TheHigherConfidenceIsTheBetter)
+{
+  RivalReadings rivals;
+  EXPECT_FALSE(rivals.isSettled());
+  rivals.add(readingOf(0, 0.4F));
+  rivals.add(readingOf(100, 0.6F));
+  EXPECT_FALSE(rivals.isSettled());
+  EXPECT_EQ(rivals.best().estimate.confidence, 0.6F);
+}
+
+TEST(RivalReadings, SeveralThatAgreeOutweighOneThatIsSure)
+{
+  RivalReadings rivals;
+  rivals.add(readingOf(0, 0.7F));
+  rivals.add(readingOf(3, 0.8F)); // nearly the same map
+  rivals.add(readingOf(100, 0.97F));
+  EXPECT_FALSE(rivals.isSettled());
+  EXPECT_EQ(rivals.best().estimate.confidence, 0.8F);
+  rivals.add(readingOf(100, 0.9F));
+  EXPECT_TRUE(rivals.isSettled());
+  EXPECT_EQ(rivals.takeBest().estimate.confidence, 0.97F);
+}
+
+TEST(RivalReadings, OneBeyondDoubtSettlesWhatIsNotContradicted)
+{
+  RivalReadings rivals;
+  rivals.add(readingOf(0, 0.5F));
+  rivals.add(readingOf(1, 0.95F));
+  EXPECT_TRUE(rivals.isSettled());
+  EXPECT_EQ(rivals.best().estimate.confidence, 0.95F);
+}
+
+TEST(RivalReadings, SymmetryIsBetterThanNone)
+{
+  RivalReadings rivals;
+  rivals.add(readingOf(0, 0.01F, SymmetryStatus::NoSymmetry));
+  rivals.add(readingOf(0, 0.09F, SymmetryStatus::NoSymmetry));
+  EXPECT_EQ(rivals.best().estimate.confidence, 0.09F);
+  rivals.add(readingOf(0, 0.2F));
+  rivals.add(readingOf(0, 0.08F, SymmetryStatus::NoSymmetry));
+  EXPECT_EQ(rivals.best().estimate.status, SymmetryStatus::Symmetric);
+  EXPECT_EQ(rivals.best().estimate.confidence, 0.2F);
+}
+
+TEST(RivalReadings, WhatGoesNowhereContradictsNothing)
+{
+  Reading partial = readingOf(0, 0.5F);
+  for (Index i = 50; i < number; ++i) {
+    partial.surface.representatives[i] = no_index;
+  }
+  RivalReadings rivals;
+  rivals.add(readingOf(0, 0.3F));
+  rivals.add(std::move(partial));
+  rivals.add(readingOf(100, 0.7F));
+  EXPECT_EQ(rivals.best().estimate.confidence, 0.5F); // 0.3 + 0.5 against 0.7
+}
+
+TEST(RivalReadings, WithoutDenseMapsTheConfidenceDecides)
+{
+  RivalReadings rivals;
+  for (const float confidence : {0.5F, 0.8F, 0.6F}) {
+    Reading sparse = readingOf(0, confidence);
+    sparse.estimate.partners.clear();
+    rivals.add(std::move(sparse));
+  }
+  EXPECT_EQ(rivals.best().estimate.confidence, 0.8F);
+}
+
+TEST(RivalReadings, TooFewPointsSettleAtOnce)
+{
+  RivalReadings rivals;
+  rivals.add(readingOf(0, 0.0F, SymmetryStatus::TooFewPoints));
+  EXPECT_TRUE(rivals.isSettled());
+}
+
+} // namespace
