@@ -40,7 +40,11 @@ public:
   const Reading&
   best() const;
 
-  /** \brief Hands over the best one. */
+  /** \brief Hands over the best one.
+   *
+   * Its confidence becomes the geometric mean of its own and the mean of all readings, in which those that found
+   * another map or none count 0: out of many tries at a body without symmetry one may look like some. If less than
+   * 0.08 is left, no symmetry was found. */
   Reading
   takeBest();
 
@@ -55,6 +59,7 @@ private:
   bestRival() const;
 
   std::vector<Rival> rivals_;
+  std::size_t readings_ = 0; ///< added so far
 };
 
 /** \brief Reads a surface in one way after another until the result is beyond doubt.

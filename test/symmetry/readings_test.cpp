@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace pcl::symmetry;
 
 namespace {
@@ -45,7 +47,7 @@ TEST(RivalReadings, SeveralThatAgreeOutweighOneThatIsSure)
   EXPECT_EQ(rivals.best().estimate.confidence, 0.8F);
   rivals.add(readingOf(100, 0.9F));
   EXPECT_TRUE(rivals.isSettled());
-  EXPECT_EQ(rivals.takeBest().estimate.confidence, 0.97F);
+  EXPECT_EQ(rivals.best().estimate.confidence, 0.97F);
 }
 
 TEST(RivalReadings, OneBeyondDoubtSettlesWhatIsNotContradicted)
@@ -91,6 +93,47 @@ TEST(RivalReadings, WithoutDenseMapsTheConfidenceDecides)
     rivals.add(std::move(sparse));
   }
   EXPECT_EQ(rivals.best().estimate.confidence, 0.8F);
+}
+
+TEST(RivalReadings, ConfidenceIsThatOfAllReadings)
+{
+  RivalReadings one;
+  one.add(readingOf(0, 0.4F));
+  EXPECT_EQ(one.takeBest().estimate.confidence, 0.4F);
+
+  RivalReadings several;
+  several.add(readingOf(0, 0.8F));
+  several.add(readingOf(0, 0.4F));
+  several.add(readingOf(100, 0.7F));
+  several.add(readingOf(0, 0.0F, SymmetryStatus::NoSymmetry));
+  Reading best = several.takeBest();
+  EXPECT_EQ(best.estimate.status, SymmetryStatus::Symmetric);
+  EXPECT_NEAR(best.estimate.confidence, std::sqrt(0.8F * 0.3F), 1e-5F);
+  EXPECT_TRUE(best.estimate.message.empty());
+}
+
+TEST(RivalReadings, OneTryOutOfManyIsNoSymmetry)
+{
+  RivalReadings rivals;
+  for (int i = 0; i < 14; ++i) {
+    rivals.add(readingOf(0, 0.01F, SymmetryStatus::NoSymmetry));
+  }
+  rivals.add(readingOf(0, 0.3F));
+  const Reading best = rivals.takeBest();
+  EXPECT_EQ(best.estimate.status, SymmetryStatus::NoSymmetry);
+  EXPECT_NEAR(best.estimate.confidence, std::sqrt(0.3F * 0.02F), 1e-5F);
+  EXPECT_FALSE(best.estimate.message.empty());
+}
+
+TEST(RivalReadings, PointsAreTrustedAsTheMapIs)
+{
+  RivalReadings rivals;
+  Reading reading = readingOf(0, 0.8F);
+  reading.estimate.confidences.assign(number, 0.4F);
+  rivals.add(readingOf(0, 0.0F, SymmetryStatus::NoSymmetry));
+  rivals.add(std::move(reading));
+  const Reading best = rivals.takeBest();
+  EXPECT_NEAR(best.estimate.confidences[7], 0.5F * best.estimate.confidence, 1e-5F);
 }
 
 TEST(RivalReadings, TooFewPointsSettleAtOnce)

@@ -5,6 +5,7 @@
 #include "symmetry/staged_method.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -120,6 +121,7 @@ private:
 void
 RivalReadings::add(Reading reading)
 {
+  ++readings_;
   const bool is_found = reading.estimate.status == SymmetryStatus::Symmetric;
   const float confidence = reading.estimate.confidence;
   std::vector<Vector3> images = is_found ? imagesOfProbes(reading) : std::vector<Vector3>{};
@@ -164,7 +166,22 @@ RivalReadings::best() const
 Reading
 RivalReadings::takeBest()
 {
-  return std::move(rivals_[bestRival()].reading);
+  constexpr float least_confidence = 0.08F;
+  Rival& best = rivals_[bestRival()];
+  MapEstimate& estimate = best.reading.estimate;
+  if (estimate.status == SymmetryStatus::Symmetric && readings_ > 1) {
+    const float agreement = best.evidence / static_cast<float>(readings_);
+    const float share = std::sqrt(agreement / estimate.confidence);
+    estimate.confidence *= share;
+    for (float& confidence : estimate.confidences) {
+      confidence *= share;
+    }
+    if (estimate.confidence < least_confidence) {
+      estimate.status = SymmetryStatus::NoSymmetry;
+      estimate.message = "hardly any way to read the points of the cloud shows a symmetry";
+    }
+  }
+  return std::move(best.reading);
 }
 
 std::size_t

@@ -38,6 +38,7 @@ public:
         patches_(std::min(settings.patches, coarse.size())),
         placements_(patches_.size()),
         has_grown_(patches_.size(), 0),
+        refusals_(patches_.size(), 0),
         centres_(std::vector<Vector3>(coarse.points.begin(),
                                       coarse.points.begin() + static_cast<std::ptrdiff_t>(patches_.size())),
                  0.5F * radius)
@@ -112,8 +113,9 @@ private:
   bool
   offer(Index patch, const PatchPlacement& other)
   {
+    constexpr int most_refusals = 8; // the first offers come from what fits best
     const auto j = static_cast<std::size_t>(patch);
-    if (j >= patches_.size() || placements_[j].misfit < settings_.well) {
+    if (j >= patches_.size() || placements_[j].misfit < settings_.well || refusals_[j] >= most_refusals) {
       return false;
     }
     const float limit = settings_.clearly * placements_[j].misfit;
@@ -122,8 +124,10 @@ private:
     }
     const PatchPlacement settled = fitting_.settled(patches_[j], other.reflection, limit);
     if (settled.misfit >= limit) {
+      ++refusals_[j];
       return false;
     }
+    refusals_[j] = 0;
     placements_[j] = settled;
     has_grown_[j] = 1;
     queue_.push({settled.misfit, j});
@@ -169,6 +173,7 @@ private:
   std::vector<SurfacePatch> patches_;
   std::vector<PatchPlacement> placements_;
   std::vector<char> has_grown_;
+  std::vector<int> refusals_;                                            ///< of offers in a row, by patch
   PointGrid centres_;                                                    ///< of the patches
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_; ///< patches whose reflections are to be tried
 };

@@ -277,8 +277,8 @@ estimateRobust(const PreparedSurface& surface,
   const Contender best = estimation.bestContender(candidates);
   const float confidence = estimation.confidenceOf(*best.candidate, best.samples);
   estimate.confidence = confidence_of_refused * confidence;
-  const MapScore& refined = best.samples.score;
-  if (!isReflection(refined.value < best.candidate->score.value ? refined : best.candidate->score)) {
+  // Either will do: refined maps are smooth, but follow the noise of coarse clouds; how well they fit has been judged.
+  if (!isReflection(best.samples.score) && !isReflection(best.candidate->score)) {
     return estimate;
   }
   if (confidence < least_map_confidence) {
