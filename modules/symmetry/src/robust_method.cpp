@@ -277,8 +277,10 @@ estimateRobust(const PreparedSurface& surface,
   const Contender best = estimation.bestContender(candidates);
   const float confidence = estimation.confidenceOf(*best.candidate, best.samples);
   estimate.confidence = confidence_of_refused * confidence;
-  // Either will do: refined maps are smooth, but follow the noise of coarse clouds; how well they fit has been judged.
-  if (!isReflection(best.samples.score) && !isReflection(best.candidate->score)) {
+  // The scores count what is not isometric, and that a body in contact with itself is not; the fit of its patches may
+  // speak for it all the same.
+  constexpr float convincing = 0.5F;
+  if (confidence < convincing && !isReflection(best.samples.score) && !isReflection(best.candidate->score)) {
     return estimate;
   }
   if (confidence < least_map_confidence) {
