@@ -37,7 +37,10 @@ enum class NoiseReading {
  * neighbourhoods are flattest. Only points on the same sheet of the surface take part (robust moving least squares), so
  * that the two sides of a thin part and two parts in contact stay apart as long as the noise leaves a gap between them.
  * Thick and large clouds are thinned out to an even spacing. A cloud so coarse that its neighbourhoods are as large as
- * limbs is left as it is. \param[in] points all finite, at unit scale \param[in] lists their nearest neighbours
+ * limbs is left as it is.
+ *
+ * \param[in] points all finite, at unit scale
+ * \param[in] lists their nearest neighbours
  * \param[in] most how many working points there may be at most
  * \param[in] reading of the layers of points; sheets can only be parted where the surface is closed but for small holes
  */
