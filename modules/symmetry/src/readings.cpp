@@ -201,7 +201,6 @@ bestReading(const Surface& surface,
             StepTimer& timer,
             InputSummary& summary)
 {
-  constexpr float doubtful = 0.3F;
   constexpr float contact = 1.0F; // spacings
   Reader reader(surface, parameters, search, timer, summary);
   RivalReadings& rivals = reader.rivals();
@@ -210,7 +209,7 @@ bestReading(const Surface& surface,
     return rivals.takeBest();
   }
   if (summary.smoothing_radius == 0.0F) {
-    if (rivals.best().estimate.confidence < doubtful) {
+    if (rivals.best().estimate.status != SymmetryStatus::Symmetric) {
       reader.read(NoiseReading::Parted, {contact});
     }
     return rivals.takeBest();
