@@ -11,6 +11,14 @@ namespace pcl {
 namespace symmetry {
 namespace test {
 
+/** \brief A human in a pose, made once. */
+inline const CoarseBody&
+human()
+{
+  static const CoarseBody body = coarseBody(Body::Human, 1.0);
+  return body;
+}
+
 /** \brief The true partner of every sample. */
 inline std::vector<Index>
 truePartners(const CoarseBody& body)

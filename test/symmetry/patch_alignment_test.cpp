@@ -14,13 +14,6 @@ using namespace pcl::symmetry::test;
 
 namespace {
 
-const CoarseBody&
-human()
-{
-  static const CoarseBody body = coarseBody(Body::Human, 1.0);
-  return body;
-}
-
 /** Every partner replaced by some point of a cell adjacent to its own. */
 std::vector<Index>
 scattered(const CoarseBody& body, std::vector<Index> partners)

@@ -10,14 +10,7 @@ using namespace pcl::symmetry::test;
 
 namespace {
 
-const CoarseBody&
-human()
-{
-  static const CoarseBody body = coarseBody(Body::Human, 1.0);
-  return body;
-}
-
-/** The end of the longest way from the first sample: the tip of a limb that has a partner on the other side. */
+/** The extremity that the true map moves farthest. */
 Index
 tipOfLimb(const CoarseBody& body)
 {
