@@ -59,6 +59,16 @@ TEST(RivalReadings, OneBeyondDoubtSettlesWhatIsNotContradicted)
   EXPECT_EQ(rivals.best().estimate.confidence, 0.95F);
 }
 
+TEST(RivalReadings, WhatOthersContradictTogetherIsNotSettled)
+{
+  RivalReadings rivals;
+  rivals.add(readingOf(60, 0.6F));
+  rivals.add(readingOf(120, 0.5F));
+  rivals.add(readingOf(0, 0.95F));
+  EXPECT_EQ(rivals.best().estimate.confidence, 0.95F);
+  EXPECT_FALSE(rivals.isSettled());
+}
+
 TEST(RivalReadings, SymmetryIsBetterThanNone)
 {
   RivalReadings rivals;
