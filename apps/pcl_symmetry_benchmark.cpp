@@ -3,6 +3,7 @@
  */
 #include "benchmark/error_curve_plot.h"
 #include "benchmark/error_text.h"
+#include "benchmark/graph_accuracy.h"
 #include "benchmark/map_file.h"
 #include "benchmark/report_files.h"
 #include "benchmark/report_table.h"
@@ -36,6 +37,7 @@ struct Options {
   std::vector<std::string> sets;
   std::vector<std::string> classes;
   bool all = false;
+  bool graph = false;
   RunOptions run;
   unsigned jobs = 1;
   std::string map_folder;
@@ -60,15 +62,22 @@ describeOptions()
   method.add_options()("method", po::value<std::string>()->default_value("robust"),
                        "robust or staged")("metric", po::value<std::string>()->default_value("geodesic"),
                                            "geodesic or euclidean")("as-cloud", "leave the faces out of the input")(
+      "graph", "compare distances in the graph of the cloud with those along the mesh; prints this table only")(
       "neighbours,k", po::value<int>(), "neighbours of a point in the graph of a cloud")(
       "landmarks", po::value<int>(),
       "sources of full distance fields")("samples", po::value<int>(), "evenly spaced samples, 0: the method's default")(
-      "noise", po::value<double>(), "disturb the points, standard deviation over the bounding box's diagonal")(
-      "drop", po::value<double>(), "drop this share of the points; those left are scored")(
-      "outliers", po::value<double>(), "add this share of points at random places")(
-      "seed", po::value<std::int64_t>(), "of the disturbance, any integer (default 1)")(
       "jobs", po::value<int>()->default_value(1), "models at a time, 0: one per core")(
       "threads", po::value<int>(), "threads of each estimation, 0: one per core (default 0; 1 with several jobs)");
+  po::options_description disturbance("Disturbance (points that are left are scored)");
+  disturbance.add_options()("drop", po::value<double>(), "drop this share of the points at random")(
+      "holes", po::value<int>(), "cut this many holes")("hole-share", po::value<double>(),
+                                                        "share of the points in all holes (default 0.2)")(
+      "thin", po::value<double>(), "drop points in a random direction down to 1/this of the density")(
+      "noise", po::value<double>(), "move points, standard deviation over the bounding box's diagonal")(
+      "quantise", po::value<double>(), "round coordinates to multiples of this share of the diagonal")(
+      "repeat", po::value<double>(), "add this share of points that are there already")(
+      "outliers", po::value<double>(), "add this share of points at random places")(
+      "seed", po::value<std::int64_t>(), "of the disturbance, any integer (default 1)");
   po::options_description output("Output");
   output.add_options()("csv", po::value<std::string>(), "write one line per model to this file")(
       "json", po::value<std::string>(), "write all figures to this file")(
@@ -81,7 +90,7 @@ describeOptions()
       "mesh", po::value<std::string>(), "surface that the map belongs to")(
       "truth", po::value<std::string>(), "CLASS.pid, MODEL.vts:N.sym.info or a dense list, 1-based");
   po::options_description visible;
-  return visible.add(selection).add(method).add(output).add(score);
+  return visible.add(selection).add(method).add(disturbance).add(output).add(score);
 }
 
 po::variables_map
@@ -106,7 +115,7 @@ take(const po::variables_map& arguments, const char* name, Value& target)
     target = arguments[name].as<Value>();
 }
 
-/** A count of workers; Boost alone would read "-1" as 4294967295. */
+/** A count; Boost alone would read "-1" as 4294967295. */
 unsigned
 takeCount(const po::variables_map& arguments, const char* name, unsigned otherwise)
 {
@@ -155,6 +164,11 @@ takeDisturbance(const po::variables_map& arguments)
   take(arguments, "noise", disturbance.noise);
   take(arguments, "drop", disturbance.drop);
   take(arguments, "outliers", disturbance.outliers);
+  disturbance.holes = takeCount(arguments, "holes", 0);
+  take(arguments, "hole-share", disturbance.hole_share);
+  take(arguments, "thin", disturbance.thin);
+  take(arguments, "quantise", disturbance.quantise);
+  take(arguments, "repeat", disturbance.repeat);
   if (arguments.count("seed") > 0)
     disturbance.seed = static_cast<std::uint64_t>(arguments["seed"].as<std::int64_t>());
   return disturbance;
@@ -180,6 +194,9 @@ checkCombination(const Options& options)
     throw UsageError("--score, --mesh and --truth belong together");
   if (scores_map == !options.folder.empty())
     throw UsageError(scores_map ? "either DIR or --score" : "DIR, a folder with data sets, is missing");
+  if (options.graph && (options.run.as_cloud || !options.csv.empty() || !options.json.empty() ||
+                        !options.plot.empty() || !options.map_folder.empty()))
+    throw UsageError("--graph finds no maps: it goes with neither --as-cloud nor an output file");
 }
 
 Options
@@ -192,6 +209,7 @@ takeOptions(const po::variables_map& arguments)
   options.all = arguments.count("all") > 0;
   options.jobs = takeCount(arguments, "jobs", 1);
   options.run.parameters = takeParameters(arguments, options.jobs);
+  options.graph = arguments.count("graph") > 0;
   options.run.as_cloud = arguments.count("as-cloud") > 0;
   options.run.disturbance = takeDisturbance(arguments);
   checkRunOptions(options.run);
@@ -270,6 +288,15 @@ scoreExistingMap(const Options& options)
 }
 
 int
+runGraphs(const Options& options)
+{
+  const std::vector<GraphRun> runs = compareGraphs(selectModels(options), options.run, options.jobs);
+  printGraphs(std::cout, runs);
+  return std::any_of(runs.begin(), runs.end(), [](const GraphRun& run) { return !run.failure.empty(); }) ? exit_failed
+                                                                                                         : exit_done;
+}
+
+int
 runDataSets(const Options& options)
 {
   for (const std::string& file : {options.csv, options.json, options.plot})
@@ -318,7 +345,9 @@ run(int argc, char** argv)
     return exit_done;
   }
   const Options options = takeOptions(arguments);
-  const int status = options.scored_map.empty() ? runDataSets(options) : scoreExistingMap(options);
+  const int status = !options.scored_map.empty() ? scoreExistingMap(options)
+                     : options.graph             ? runGraphs(options)
+                                                 : runDataSets(options);
   if (!std::cout.flush())
     throw pcl::IOException("standard output: cannot be written");
   return status;

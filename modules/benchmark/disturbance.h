@@ -17,6 +17,11 @@ struct Disturbance {
   double drop = 0.0;     ///< share of the points that are left out at random, with their faces, [0, 0.99]
   double outliers = 0.0; ///< points added at random in and around the bounding box, share of those left, [0, 1]
   std::uint64_t seed = 1;
+  std::size_t holes = 0;   ///< round patches that are cut out
+  double hole_share = 0.2; ///< of the points, in all holes together, [0, 0.9]
+  double thin = 1.0;       ///< density at one end over that at the other, points drop out in between, [1, 1000]
+  double quantise = 0.0;   ///< coordinates are rounded to multiples of this share of the diagonal, [0, 1]
+  double repeat = 0.0;     ///< points that are there twice, share of those left, [0, 1]
 };
 
 /** \brief Throws unless all shares are in their range.
@@ -30,7 +35,8 @@ struct DisturbedSurface {
   std::vector<Index> origins; ///< per point of \a surface: its number before, no_index for an outlier
 };
 
-/** \brief Drops points, then adds noise, then outliers; the same seed gives the same bytes.
+/** \brief Drops points at random, in holes and towards one end, then adds noise, rounds, repeats points and adds
+ * outliers; the same seed gives the same bytes.
  * \throws pcl::BadArgumentException as checkDisturbance() */
 DisturbedSurface
 disturb(const Surface& surface, const Disturbance& disturbance);

@@ -21,8 +21,10 @@ namespace symmetry {
 /** \brief How the models are run. */
 struct RunOptions {
   SymmetryParameters parameters;
-  bool as_cloud = false;   ///< without the faces; the map is scored on the mesh all the same
-  Disturbance disturbance; ///< the map is scored on the undisturbed mesh, at the points that were not dropped
+  bool as_cloud = false; ///< without the faces; the map is scored on the mesh all the same
+  /** The map is scored on the undisturbed mesh, at the points that were not dropped; where holes were cut, at those
+   * whose true partner is left as well. */
+  Disturbance disturbance;
 };
 
 /** \brief What came out for one model. Points are those of the model's file. */

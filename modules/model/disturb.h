@@ -24,23 +24,38 @@ namespace symmetry {
 void
 addNoise(Model& model, double fraction, std::uint64_t seed);
 
-/** \brief Cuts round holes of equal numbers of vertices around random vertices; what is no longer in a triangle goes
- * too.
+/** \brief Rounds every coordinate to a multiple of a step, as files of few digits and depth sensors do; points may
+ * coincide then.
+ *  \param[in,out] model changed in place
+ *  \param[in] fraction the step over the diagonal, [0, 1]; 0: nothing is rounded
+ *  \throws std::invalid_argument the fraction is out of range */
+void
+quantise(Model& model, double fraction);
+
+/** \brief Which vertices round holes leave: of equal numbers of vertices, around random vertices; what is no longer in
+ * a triangle goes too.
  *
  * Holes may overlap, so that less than the share may be missing. A large hole may cut a limb off.
- *  \param[in,out] model mesh or cloud
+ *  \param[in] surface mesh or cloud
  *  \param[in] holes how many, at least 0
  *  \param[in] share of the vertices that the holes take together, [0, 0.9]
  *  \param[in] seed of the random numbers
  *  \throws std::invalid_argument the share is out of range */
+std::vector<char>
+outsideHoles(const Surface& surface, std::size_t holes, double share, std::uint64_t seed);
+
+/** \brief Cuts holes, see outsideHoles (). */
 void
 cutHoles(Model& model, std::size_t holes, double share, std::uint64_t seed);
 
-/** \brief Drops points, more and more in a random direction; drops all faces.
- *  \param[in,out] model becomes a cloud
+/** \brief Which points stay when more and more of them go in a random direction.
  *  \param[in] ratio of the density where all points are kept to that at the far end, [1, 1000]
  *  \param[in] seed of the random numbers
  *  \throws std::invalid_argument the ratio is out of range */
+std::vector<char>
+evenlyThinner(const std::vector<Vector3>& points, double ratio, std::uint64_t seed);
+
+/** \brief Drops points, more and more in a random direction, see evenlyThinner (); drops all faces. */
 void
 thinOut(Model& model, double ratio, std::uint64_t seed);
 
@@ -64,6 +79,15 @@ shuffleVertices(Model& model, std::uint64_t seed);
  *  \throws std::invalid_argument the share is out of range */
 void
 addOutliers(Model& model, double share, std::uint64_t seed);
+
+/** \brief Adds copies of random points, at the same places and without partners.
+ *  \param[in,out] model mesh or cloud
+ *  \param[in] share of the points there are that is added, [0, 1]
+ *  \param[in] seed of the random numbers
+ *  \return which point each of them is a copy of
+ *  \throws std::invalid_argument the share is out of range */
+std::vector<Index>
+repeatPoints(Model& model, double share, std::uint64_t seed);
 
 /** \brief Keeps the vertices that \a keep marks, and the triangles among them, in their order.
  *  \throws std::invalid_argument \a keep has not one entry per vertex */

@@ -4,6 +4,7 @@
 
 #include <pcl/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -38,6 +39,51 @@ TEST(DisturbanceTest, RemembersWhichPointIsWhich)
   for (const Triangle& t : disturbed.surface.triangles)
     for (const Index i : t)
       EXPECT_LT(i, 180);
+}
+
+TEST(DisturbanceTest, HolesAndThinningTakePointsAway)
+{
+  const Surface grid = test::gridMesh(60, 60);
+  Disturbance disturbance;
+  disturbance.holes = 1;
+  disturbance.hole_share = 0.2;
+  const DisturbedSurface with_hole = disturb(grid, disturbance);
+  EXPECT_NEAR(static_cast<double>(with_hole.origins.size()), 0.8 * 3600.0, 20.0);
+  EXPECT_TRUE(with_hole.surface.hasFaces());
+
+  disturbance.thin = 10.0;
+  const DisturbedSurface both = disturb(grid, disturbance);
+  EXPECT_LT(both.origins.size(), with_hole.origins.size());
+  EXPECT_TRUE(
+      std::includes(with_hole.origins.begin(), with_hole.origins.end(), both.origins.begin(), both.origins.end()));
+  for (std::size_t i = 0; i < both.origins.size(); ++i)
+    EXPECT_EQ(both.surface.points[i], grid.points[static_cast<std::size_t>(both.origins[i])]);
+}
+
+TEST(DisturbanceTest, RepeatedPointsKnowTheirOrigin)
+{
+  const Surface grid = test::gridMesh(20, 10);
+  Disturbance disturbance;
+  disturbance.drop = 0.5;
+  disturbance.repeat = 0.3;
+  disturbance.outliers = 0.1;
+  const DisturbedSurface repeated = disturb(grid, disturbance);
+  ASSERT_EQ(repeated.origins.size(), 100U + 30U + 13U);
+  for (std::size_t i = 0; i < 130; ++i)
+    EXPECT_EQ(repeated.surface.points[i], grid.points[static_cast<std::size_t>(repeated.origins[i])]);
+  EXPECT_EQ(repeated.origins.back(), no_index);
+}
+
+TEST(DisturbanceTest, RoundingGoesToMultiplesOfTheStep)
+{
+  const Surface grid = test::gridMesh(30, 40);
+  Disturbance disturbance;
+  disturbance.quantise = 0.1;
+  const double step = 0.1 * std::hypot(29.0, 39.0);
+  const DisturbedSurface rounded = disturb(grid, disturbance);
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(rounded.surface.points[i][k], step * std::round(double(grid.points[i][k]) / step), 1e-4);
 }
 
 TEST(DisturbanceTest, NoiseHasTheDeviationAskedFor)
@@ -79,6 +125,9 @@ TEST(DisturbanceTest, RejectsSharesOutOfRange)
   EXPECT_NE(error({-0.1, 0.0, 0.0, 1}).find("noise -0.1 is not in [0, 1]"), std::string::npos);
   EXPECT_NE(error({0.0, 1.0, 0.0, 1}).find("drop 1 is not in [0, 0.99]"), std::string::npos);
   EXPECT_NE(error({0.0, 0.0, 1.5, 1}).find("outliers 1.5 is not in [0, 1]"), std::string::npos);
+  Disturbance thinner;
+  thinner.thin = 0.5;
+  EXPECT_NE(error(thinner).find("thin 0.5 is not in [1, 1000]"), std::string::npos);
   EXPECT_NE(error({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0, 1}), "");
 }
 

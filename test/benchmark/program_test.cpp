@@ -113,6 +113,18 @@ TEST_F(BenchmarkProgramTest, RunsADataSetAndWritesAllFiles)
   EXPECT_EQ(nlohmann::json::parse(read(path("again.json")))["correspondence_rate"], rate);
 }
 
+TEST_F(BenchmarkProgramTest, ComparesGraphs)
+{
+  const ProgramRun run = runBenchmark({writeHuman(), "--graph", "--jobs", "2"});
+  ASSERT_EQ(run.exit_status, 0) << run.errors;
+  EXPECT_NE(run.output.find("MADE/human"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("MADE (mean of classes)"), std::string::npos) << run.output;
+  write("sets/MADE/broken.off", "OFF\n3 1 0\n0 0 0\n");
+  const ProgramRun failed = runBenchmark({path("sets"), "--graph"});
+  EXPECT_EQ(failed.exit_status, 1);
+  EXPECT_NE(failed.output.find("MADE/broken  failed: "), std::string::npos) << failed.output;
+}
+
 TEST_F(BenchmarkProgramTest, AModelThatFailsIsReportedAndEndsWithOne)
 {
   write("sets/MADE/broken.off", "OFF\n3 1 0\n0 0 0\n");
@@ -164,6 +176,13 @@ TEST_F(BenchmarkProgramTest, WrongUsageEndsWithTwo)
                                                            {folder, "--noise", "-0.5"},
                                                            {folder, "--noise", "nan"},
                                                            {folder, "--drop", "1"},
+                                                           {folder, "--holes", "-1"},
+                                                           {folder, "--hole-share", "1"},
+                                                           {folder, "--thin", "0"},
+                                                           {folder, "--quantise", "2"},
+                                                           {folder, "--repeat", "-1"},
+                                                           {folder, "--graph", "--as-cloud"},
+                                                           {folder, "--graph", "--csv", "file.csv"},
                                                            {folder, "--csv"},
                                                            {folder, folder},
                                                            {folder, "--score", mesh_},

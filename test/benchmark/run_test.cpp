@@ -3,6 +3,8 @@
 #include "model/write_model.h"
 #include "support/shapes.h"
 
+#include <pcl/symmetry/surface_io.h>
+
 #include <algorithm>
 
 namespace pcl {
@@ -98,6 +100,24 @@ TEST_F(RunTest, PointsThatWereDroppedAreNotScored)
   EXPECT_LE(run.score->map_size, run.points - run.points / 5);
   EXPECT_LT(run.score->errors.size(), all);
   EXPECT_GT(run.score->errors.size(), all * 6 / 10);
+}
+
+TEST_F(RunTest, WhereHolesWereCutOnlyPairsThatAreLeftAreScored)
+{
+  options_.disturbance.holes = 1;
+  options_.disturbance.hole_share = 0.3;
+  const ModelRun run = runModel(models_[0], options_);
+  ASSERT_EQ(run.failure, "");
+  const Surface mesh = readSurface(models_[0].file);
+  const std::vector<Index> left = disturb(mesh, options_.disturbance).origins; // ascending: there is nothing else
+  const auto is_left = [&left](Index v) {
+    return std::binary_search(left.begin(), left.end(), v);
+  };
+  std::size_t expected = 0;
+  for (const TruePartner& pair : subsampleTruth(readGroundTruth(models_[0].truth)))
+    expected += is_left(pair.vertex) && is_left(pair.partner) ? 1 : 0;
+  EXPECT_EQ(run.score->errors.size(), expected);
+  EXPECT_GT(expected, 40U);
 }
 
 TEST_F(RunTest, AModelWithoutTruthIsRunButNotScored)

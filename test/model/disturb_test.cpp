@@ -169,6 +169,35 @@ TEST(AddOutliers, AppendsPointsWithoutPartner)
   EXPECT_EQ(checkTruth(model), before / 20);
 }
 
+TEST(Quantise, RoundsToMultiplesOfTheStep)
+{
+  Model model;
+  model.surface.points = {{0, 0, 0}, {3, 4, 0}, {1.2F, 1.3F, -0.1F}};
+  model.partners = {0, 1, 2};
+  quantise(model, 0.1); // the diagonal is 5 and a little more
+  const double step = 0.1 * std::sqrt(25.01);
+  EXPECT_NEAR(model.surface.points[2][0], 2.0 * step, 1e-6);
+  EXPECT_NEAR(model.surface.points[2][1], 3.0 * step, 1e-6);
+  EXPECT_EQ(model.surface.points[2][2], 0.0F);
+  EXPECT_NEAR(model.surface.points[1][0], 6.0 * step, 1e-6);
+  Model whole = human();
+  quantise(whole, 0.0);
+  expectSame(whole, human());
+}
+
+TEST(RepeatPoints, AppendsCopiesAndTellsOfWhich)
+{
+  Model model = human();
+  const std::vector<Index> originals = repeatPoints(model, 0.25, 4);
+  const std::size_t before = human().surface.size();
+  ASSERT_EQ(originals.size(), before / 4);
+  ASSERT_EQ(model.surface.size(), before + before / 4);
+  for (std::size_t i = 0; i < originals.size(); ++i)
+    EXPECT_EQ(model.surface.points[before + i], human().surface.points[index(originals[i])]);
+  EXPECT_GT(std::set<Index>(originals.begin(), originals.end()).size(), before / 5) << "drawn from all points";
+  EXPECT_EQ(checkTruth(model), before / 4);
+}
+
 TEST(KeepVertices, RenumbersTrianglesAndPartners)
 {
   Model model;
@@ -206,6 +235,8 @@ TEST(Disturb, RejectsWhatIsOutOfRange)
   EXPECT_THROW(thinOut(model, 0.5, 1), std::invalid_argument);
   EXPECT_THROW(dropPoints(model, 1.0, 1), std::invalid_argument);
   EXPECT_THROW(addOutliers(model, 1.5, 1), std::invalid_argument);
+  EXPECT_THROW(quantise(model, 1.5), std::invalid_argument);
+  EXPECT_THROW(repeatPoints(model, -0.5, 1), std::invalid_argument);
   EXPECT_THROW(keepVertices(model, {1, 0}), std::invalid_argument);
   expectSame(model, human());
 }

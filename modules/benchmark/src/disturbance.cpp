@@ -15,25 +15,44 @@ namespace symmetry {
 namespace {
 
 void
-checkShare(const char* name, double value, double most)
+checkRange(const char* name, double value, double least, double most)
 {
-  if (value >= 0.0 && value <= most)
+  if (value >= least && value <= most)
     return;
   std::ostringstream message;
-  message << name << ' ' << value << " is not in [0, " << most << ']';
+  message << name << ' ' << value << " is not in [" << least << ", " << most << ']';
   throw pcl::BadArgumentException(message.str());
 }
 
-/** Numbers of the points that stay, ascending. */
-std::vector<Index>
-choosePoints(std::size_t points, double drop, std::uint64_t seed)
+/** Marks the points that stay when a share of them is dropped at random. */
+std::vector<char>
+markUndropped(std::size_t points, double drop, std::uint64_t seed)
 {
-  std::vector<Index> chosen(points);
-  std::iota(chosen.begin(), chosen.end(), Index{0});
-  RandomNumbers(seed).shuffle(chosen);
-  chosen.resize(points - static_cast<std::size_t>(drop * static_cast<double>(points)));
-  std::sort(chosen.begin(), chosen.end());
-  return chosen;
+  std::vector<Index> order(points);
+  std::iota(order.begin(), order.end(), Index{0});
+  RandomNumbers(seed).shuffle(order);
+  std::vector<char> keep(points, 0);
+  order.resize(points - static_cast<std::size_t>(drop * static_cast<double>(points)));
+  for (const Index point : order)
+    keep[static_cast<std::size_t>(point)] = 1;
+  return keep;
+}
+
+void
+unmark(std::vector<char>& keep, const std::vector<char>& others)
+{
+  std::transform(keep.begin(), keep.end(), others.begin(), keep.begin(),
+                 [](char a, char b) { return static_cast<char>(a != 0 && b != 0); });
+}
+
+/** Marks the points that no disturbance takes away. */
+std::vector<char>
+markRemaining(const Surface& surface, const Disturbance& disturbance)
+{
+  std::vector<char> keep = markUndropped(surface.size(), disturbance.drop, disturbance.seed);
+  unmark(keep, outsideHoles(surface, disturbance.holes, disturbance.hole_share, disturbance.seed + 3));
+  unmark(keep, evenlyThinner(surface.points, disturbance.thin, disturbance.seed + 4));
+  return keep;
 }
 
 } // namespace
@@ -41,24 +60,31 @@ choosePoints(std::size_t points, double drop, std::uint64_t seed)
 void
 checkDisturbance(const Disturbance& disturbance)
 {
-  checkShare("noise", disturbance.noise, 1.0);
-  checkShare("drop", disturbance.drop, 0.99);
-  checkShare("outliers", disturbance.outliers, 1.0);
+  checkRange("noise", disturbance.noise, 0.0, 1.0);
+  checkRange("drop", disturbance.drop, 0.0, 0.99);
+  checkRange("outliers", disturbance.outliers, 0.0, 1.0);
+  checkRange("hole share", disturbance.hole_share, 0.0, 0.9);
+  checkRange("thin", disturbance.thin, 1.0, 1000.0);
+  checkRange("quantise", disturbance.quantise, 0.0, 1.0);
+  checkRange("repeat", disturbance.repeat, 0.0, 1.0);
 }
 
 DisturbedSurface
 disturb(const Surface& surface, const Disturbance& disturbance)
 {
   checkDisturbance(disturbance);
+  const std::vector<char> keep = markRemaining(surface, disturbance);
   DisturbedSurface disturbed;
-  disturbed.origins = choosePoints(surface.size(), disturbance.drop, disturbance.seed);
+  for (std::size_t point = 0; point < keep.size(); ++point)
+    if (keep[point] != 0)
+      disturbed.origins.push_back(static_cast<Index>(point));
 
   Model model{surface, std::vector<Index>(surface.size(), no_index)};
-  std::vector<char> keep(surface.size(), 0);
-  for (const Index point : disturbed.origins)
-    keep[static_cast<std::size_t>(point)] = 1;
   keepVertices(model, keep);
   addNoise(model, disturbance.noise, disturbance.seed + 1);
+  quantise(model, disturbance.quantise);
+  for (const Index point : repeatPoints(model, disturbance.repeat, disturbance.seed + 5))
+    disturbed.origins.push_back(Index{disturbed.origins[static_cast<std::size_t>(point)]});
   addOutliers(model, disturbance.outliers, disturbance.seed + 2);
 
   disturbed.surface = std::move(model.surface);

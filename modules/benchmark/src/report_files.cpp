@@ -129,6 +129,11 @@ describeOptions(const RunOptions& options)
   object["noise"] = options.disturbance.noise;
   object["drop"] = options.disturbance.drop;
   object["outliers"] = options.disturbance.outliers;
+  object["holes"] = options.disturbance.holes;
+  object["hole_share"] = options.disturbance.hole_share;
+  object["thin"] = options.disturbance.thin;
+  object["quantise"] = options.disturbance.quantise;
+  object["repeat"] = options.disturbance.repeat;
   object["seed"] = options.disturbance.seed;
   object["k_search"] = parameters.k_search;
   object["landmarks"] = parameters.landmarks;

@@ -31,17 +31,21 @@ takeResult(ModelRun& run, SymmetryResult result, const std::vector<Index>& origi
       run.confidences[static_cast<std::size_t>(origins[i])] = result.confidences[i];
 }
 
-/** The part of the ground truth that is scored: a point that was dropped is nothing the estimation was asked about. */
+/** The part of the ground truth that is scored: a point that was dropped is nothing the estimation was asked about.
+ * \param[in] with_partner nor is one whose partner is gone; where single points were dropped, one next to it will do */
 GroundTruth
-selectTruth(const GroundTruth& truth, const std::vector<Index>& origins, std::size_t points)
+selectTruth(const GroundTruth& truth, const std::vector<Index>& origins, std::size_t points, bool with_partner)
 {
   std::vector<bool> is_present(points, false);
   for (const Index origin : origins)
     if (origin != no_index)
       is_present[static_cast<std::size_t>(origin)] = true;
+  const auto is_asked = [&](const TruePartner& p) {
+    return is_present[static_cast<std::size_t>(p.vertex)] &&
+           (!with_partner || is_present[static_cast<std::size_t>(p.partner)]);
+  };
   GroundTruth selected = subsampleTruth(truth);
-  selected.erase(std::remove_if(selected.begin(), selected.end(),
-                                [&](const TruePartner& p) { return !is_present[static_cast<std::size_t>(p.vertex)]; }),
+  selected.erase(std::remove_if(selected.begin(), selected.end(), [&](const TruePartner& p) { return !is_asked(p); }),
                  selected.end());
   return selected;
 }
@@ -62,9 +66,10 @@ runAndScore(ModelRun& run, const RunOptions& options)
   if (options.as_cloud)
     input.surface.triangles.clear();
   takeResult(run, estimateIntrinsicSymmetry(input.surface, options.parameters), input.origins);
-  if (!truth.empty())
-    run.score =
-        scoreMap(mesh, selectTruth(truth, input.origins, mesh.size()), run.partners, options.parameters.threads);
+  if (!truth.empty()) {
+    const GroundTruth asked = selectTruth(truth, input.origins, mesh.size(), options.disturbance.holes > 0);
+    run.score = scoreMap(mesh, asked, run.partners, options.parameters.threads);
+  }
 }
 
 } // namespace

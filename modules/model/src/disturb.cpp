@@ -169,50 +169,75 @@ addNoise(Model& model, double fraction, std::uint64_t seed)
 }
 
 void
-cutHoles(Model& model, std::size_t holes, double share, std::uint64_t seed)
+quantise(Model& model, double fraction)
+{
+  checkRange("step", fraction, 0.0, 1.0);
+  const double step = fraction * boundingBox(model.surface).diagonal();
+  if (step == 0.0)
+    return;
+  for (Vector3& point : model.surface.points)
+    for (float& coordinate : point)
+      coordinate = static_cast<float>(step * std::round(static_cast<double>(coordinate) / step));
+}
+
+std::vector<char>
+outsideHoles(const Surface& surface, std::size_t holes, double share, std::uint64_t seed)
 {
   checkRange("share of the holes", share, 0.0, 0.9);
-  if (holes == 0 || model.surface.points.empty())
-    return;
+  const std::size_t points = surface.size();
+  std::vector<char> keep(points, 1);
+  if (holes == 0 || points == 0)
+    return keep;
   RandomNumbers random(seed);
-  const std::size_t points = model.surface.size();
   const double each = share * static_cast<double>(points) / static_cast<double>(holes);
   const std::size_t count = std::max<std::size_t>(1, static_cast<std::size_t>(each));
-  const bool faces = model.surface.hasFaces();
+  const bool faces = surface.hasFaces();
   const std::vector<std::vector<Index>> neighbours =
-      faces ? neighbourLists(model.surface) : std::vector<std::vector<Index>>();
-  std::vector<char> keep(points, 1);
+      faces ? neighbourLists(surface) : std::vector<std::vector<Index>>();
   for (std::size_t hole = 0; hole < holes; ++hole) {
     const auto centre = static_cast<Index>(random.index(points));
     const std::vector<Index> patch =
-        faces ? patchOnMesh(neighbours, centre, count) : patchOnCloud(model.surface, centre, count);
+        faces ? patchOnMesh(neighbours, centre, count) : patchOnCloud(surface, centre, count);
     for (const Index vertex : patch)
       keep[static_cast<std::size_t>(vertex)] = 0;
   }
   if (faces)
-    unmarkLoose(model.surface, keep);
-  keepVertices(model, keep);
+    unmarkLoose(surface, keep);
+  return keep;
 }
 
 void
-thinOut(Model& model, double ratio, std::uint64_t seed)
+cutHoles(Model& model, std::size_t holes, double share, std::uint64_t seed)
+{
+  keepVertices(model, outsideHoles(model.surface, holes, share, seed));
+}
+
+std::vector<char>
+evenlyThinner(const std::vector<Vector3>& points, double ratio, std::uint64_t seed)
 {
   checkRange("density ratio", ratio, 1.0, 1000.0);
-  dropFaces(model);
   RandomNumbers random(seed);
   const std::array<double, 3> direction = randomDirection(random);
-  std::vector<double> along(model.surface.size(), 0.0);
+  std::vector<double> along(points.size(), 0.0);
   for (std::size_t i = 0; i < along.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)
-      along[i] += direction[k] * static_cast<double>(model.surface.points[i][k]);
+      along[i] += direction[k] * static_cast<double>(points[i][k]);
   if (along.empty())
-    return;
+    return {};
   const auto [least, most] = std::minmax_element(along.begin(), along.end());
   const double low = *least;
   const double range = std::max(*most - low, 1e-300);
   std::vector<char> keep(along.size());
   for (std::size_t i = 0; i < keep.size(); ++i)
     keep[i] = random.uniform() < std::pow(ratio, -(along[i] - low) / range) ? 1 : 0;
+  return keep;
+}
+
+void
+thinOut(Model& model, double ratio, std::uint64_t seed)
+{
+  const std::vector<char> keep = evenlyThinner(model.surface.points, ratio, seed);
+  dropFaces(model);
   keepVertices(model, keep);
 }
 
@@ -268,6 +293,23 @@ addOutliers(Model& model, double share, std::uint64_t seed)
     if (!model.surface.normals.empty())
       model.surface.normals.push_back({0, 0, 1});
   }
+}
+
+std::vector<Index>
+repeatPoints(Model& model, double share, std::uint64_t seed)
+{
+  checkRange("share of repeated points", share, 0.0, 1.0);
+  RandomNumbers random(seed);
+  const std::size_t points = model.surface.size();
+  std::vector<Index> originals(static_cast<std::size_t>(share * static_cast<double>(points)));
+  for (Index& original : originals) {
+    original = static_cast<Index>(random.index(points));
+    model.surface.points.push_back(Vector3(model.surface.points[static_cast<std::size_t>(original)]));
+    model.partners.push_back(no_index);
+    if (!model.surface.normals.empty())
+      model.surface.normals.push_back(Vector3(model.surface.normals[static_cast<std::size_t>(original)]));
+  }
+  return originals;
 }
 
 void
