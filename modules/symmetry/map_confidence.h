@@ -41,13 +41,21 @@ struct MapEvidence {
   float distance = 0.0F; ///< of the patches from their images, share of the diameter: SampleEstimate::usual_distance
   float turn = 0.0F;     ///< of their normals: mean PatchFit::turn
   bool is_noisy = false; ///< the surface is that of a cloud which had to be smoothed: part of the misfit is noise
+  float spacing = 0.0F;  ///< of the points: sparseSpacing ()
 };
+
+/** \brief Mean distance of a sample from its neighbours in the graph of the surface, share of the diameter; nine of ten
+ * samples have closer ones. Where the points are farther apart than the samples should be, distances and patches are no
+ * more precise than that. */
+float
+sparseSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, float diameter);
 
 /** \brief Confidence of a whole map in [0, 1]: how likely it is a right map of a symmetric surface.
  *
  * A logistic function of the usual misfit of the patches, of the stretch at the worst places relative to the distortion
  * of the whole (an odd limb stretches its surroundings only; a pose or coarse samples, everything), of the curvature,
- * and of what stands still beyond a head, a tail and a seam: an odd limb is mirrored in itself. Its weights were fitted
+ * and of what stands still beyond a head, a tail and a seam: an odd limb is mirrored in itself. Noise, or few points,
+ * explain part of all that. Its weights were fitted
  * to right and wrong maps of scans and of generated bodies, symmetric and not, as meshes, clouds and noisy clouds.
  */
 float

@@ -1,5 +1,6 @@
 #include "symmetry/map_asymmetry.h"
 
+#include "geodesic/median.h"
 #include "symmetry/map_repair.h"
 
 #include <algorithm>
@@ -10,18 +11,6 @@ namespace symmetry {
 namespace {
 
 constexpr float tiny = 1e-3F;
-
-float
-quantile(std::vector<float> values, double share)
-{
-  if (values.empty()) {
-    return 0.0F;
-  }
-  const auto rank = std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())));
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
 
 /** Weights that fall off with the distance from every hub: column i those around hub i, exp (-(d / radius)^2).
  * \param[in] radius share of the diameter */

@@ -1,7 +1,11 @@
 #include "symmetry/map_confidence.h"
 
+#include "geodesic/median.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace pcl {
 namespace symmetry {
@@ -12,6 +16,16 @@ float
 logistic(float evidence)
 {
   return 1.0F / (1.0F + std::exp(-evidence));
+}
+
+/** Evidence against a map that comes from how coarsely the surface is known, not from the map. */
+float
+evidenceFromCoarseness(const MapEvidence& evidence)
+{
+  constexpr float usual_spacing = 0.011F;
+  constexpr float noise = 5.2F;
+  const float from_spacing = 10.0F * std::log(std::max(1.0F, evidence.spacing / usual_spacing));
+  return std::max(from_spacing, evidence.is_noisy ? noise : 0.0F);
 }
 
 bool
@@ -59,6 +73,21 @@ candidateConfidence(const MapScore& score, const AsymmetrySigns& signs)
 }
 
 float
+sparseSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, float diameter)
+{
+  constexpr double most_samples = 0.9;
+  std::vector<float> spacing;
+  for (const Index v : samples) {
+    const auto begin = graph.lengths.begin() + graph.offsets[v];
+    const auto end = graph.lengths.begin() + graph.offsets[v + 1];
+    if (begin != end) {
+      spacing.push_back(std::accumulate(begin, end, 0.0F) / (static_cast<float>(end - begin) * diameter));
+    }
+  }
+  return quantile(std::move(spacing), most_samples);
+}
+
+float
 mapConfidence(const MapEvidence& evidence)
 {
   constexpr float tiny = 1e-3F;
@@ -74,7 +103,7 @@ mapConfidence(const MapEvidence& evidence)
                   2.8F * std::log(evidence.turn + little_turn) + 4.4F * evidence.score.value -
                   6.4F * std::min(evidence.score.curvature, largest_curvature) -
                   7.9F * std::min(evidence.rough_curvature, largest_curvature) - 64.0F * fixed_beyond +
-                  (evidence.is_noisy ? 5.2F : 0.0F));
+                  evidenceFromCoarseness(evidence));
 }
 
 std::vector<float>

@@ -130,6 +130,7 @@ public:
         interpolation_(interpolateFromSamples(surface, model.coarse, parameters.threads)),
         members_(membersOfCells(model.coarse)),
         probes_(thinnedMembers(members_, settings.refinement.probes)),
+        spacing_(sparseSpacing(surface.graph, model.coarse.cells.vertices, model.hubs.diameter)),
         descriptor_(describeShape(model.coarse, model.basis, settings.search.dimensions, settings.search.descriptor)),
         refinement_(surface,
                     model.coarse,
@@ -164,7 +165,7 @@ public:
   {
     return mapConfidence({samples.score, candidate.score.curvature,
                           findAsymmetry(model_.hubs, descriptor_.curvature, samples.hub_map), samples.usual_distance,
-                          samples.fit.turn, surface_.summary.smoothing_radius > 0.0F});
+                          samples.fit.turn, surface_.summary.smoothing_radius > 0.0F, spacing_});
   }
 
   /** Carries a map of the samples over to all points: partners, sides, confidences, sparse matches, limbs.
@@ -219,6 +220,7 @@ private:
   SampleInterpolation interpolation_;
   CellMembers members_;
   CellMembers probes_; ///< some of them
+  float spacing_;      ///< of the points, share of the diameter
   ShapeDescriptor descriptor_;
   SampleRefinement refinement_;
 };
