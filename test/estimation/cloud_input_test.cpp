@@ -1,4 +1,5 @@
 // The PCL class with clouds: holes, searches, normals.
+#include "model/disturb.h"
 #include "support/known_body.h"
 #include "support/pcl_input.h"
 
@@ -8,7 +9,9 @@
 #include <pcl/exceptions.h>
 #include <pcl/search/brute_force.h>
 
+#include <algorithm>
 #include <limits>
+#include <random>
 
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
@@ -135,6 +138,55 @@ TEST(CloudInput, DuplicatedPointsAreKept)
     partner = partner < static_cast<Index>(n) ? partner : 5 * (partner - static_cast<Index>(n));
   }
   EXPECT_GE(correspondenceRate(mapErrors(human(), partners)), 0.95);
+}
+
+/** A cloud of the points of a body that are kept, run, and the rate of right partners. */
+double
+rateOfPart(const Model& whole, const std::vector<char>& keep)
+{
+  std::vector<Vector3> points;
+  std::vector<Index> vertices;
+  for (std::size_t v = 0; v < keep.size(); ++v) {
+    if (keep[v] != 0) {
+      points.push_back(whole.surface.points[v]);
+      vertices.push_back(static_cast<Index>(v));
+    }
+  }
+  const pcl::IntrinsicSymmetryResult result = compute(cloudOf(points));
+  EXPECT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  Model part = whole;
+  std::vector<Index> partners(whole.surface.size(), no_index);
+  std::fill(part.partners.begin(), part.partners.end(), no_index); // of vertices that are not asked for
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Index partner = result.partners[i];
+    partners[vertices[i]] = partner == no_index ? no_index : vertices[partner];
+    part.partners[vertices[i]] = whole.partners[vertices[i]];
+  }
+  return correspondenceRate(mapErrors(part, partners));
+}
+
+Model
+fineHuman()
+{
+  ModelParameters parameters;
+  parameters.vertices = 10000;
+  parameters.seed = 4;
+  return makeModel(parameters);
+}
+
+TEST(CloudInput, FewPointsAtRandomPlacesAreEnough)
+{
+  const Model whole = fineHuman();
+  std::vector<char> keep(whole.surface.size(), 0);
+  std::mt19937 random(3); // NOLINT(cert-msc51-cpp): the same every time
+  std::generate(keep.begin(), keep.end(), [&] { return static_cast<char>(random() % 4 == 0); });
+  EXPECT_GE(rateOfPart(whole, keep), 0.95);
+}
+
+TEST(CloudInput, MayBeTenTimesDenserAtOneEnd)
+{
+  const Model whole = fineHuman();
+  EXPECT_GE(rateOfPart(whole, evenlyThinner(whole.surface.points, 10.0, 5)), 0.95);
 }
 
 } // namespace

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
 
@@ -169,6 +171,37 @@ TEST(MapConfidence, DoubtsStretchInOnePlaceMoreThanStretchEverywhere)
   evidence.score.value += 0.5F;
   evidence.signs.involution *= 2.0F;
   EXPECT_GT(mapConfidence(evidence), in_one_place);
+}
+
+TEST(MapConfidence, AllowsForPointsThatAreFarApart)
+{
+  MapEvidence evidence = evidenceOfRightMap();
+  evidence.distance *= 2.0F;
+  const auto at = [&](float spacing) {
+    evidence.spacing = spacing;
+    return mapConfidence(evidence);
+  };
+  EXPECT_EQ(at(0.01F), at(0.0F)) << "dense enough";
+  EXPECT_GT(at(0.015F), at(0.01F));
+  EXPECT_GT(at(0.02F), at(0.015F));
+  evidence.is_noisy = true;
+  EXPECT_EQ(at(0.015F), at(0.01F)) << "the noise alone explains more";
+}
+
+TEST(SparseSpacing, IsThatOfNineInTenSamples)
+{
+  // A path of 20 vertices with growing steps, and a vertex without edges.
+  std::vector<GraphEdge> edges;
+  for (Index v = 0; v + 1 < 20; ++v) {
+    edges.push_back({v, v + 1, static_cast<float>(v + 1)});
+  }
+  const SurfaceGraph graph = buildGraph(21, edges);
+  std::vector<Index> samples(21);
+  std::iota(samples.begin(), samples.end(), 0);
+  // Vertex v > 0 lies between edges of the lengths v and v + 1; vertex 18 is the 19th of the 20 that have edges.
+  EXPECT_FLOAT_EQ(sparseSpacing(graph, samples, 2.0F), 18.5F / 2.0F);
+  EXPECT_FLOAT_EQ(sparseSpacing(graph, {5}, 1.0F), 5.5F);
+  EXPECT_EQ(sparseSpacing(graph, {20}, 1.0F), 0.0F);
 }
 
 TEST(MapConfidence, IsBounded)
