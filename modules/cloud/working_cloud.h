@@ -18,7 +18,6 @@ struct WorkingCloud {
   /** Of the points, unit length; empty unless merged sheets were parted. */
   std::vector<Vector3> normals;
   std::vector<char> is_oriented; ///< whether a normal is known to point outwards, or into the other body in contact
-  std::size_t outliers = 0;
   float smoothing_radius = 0.0F; ///< of the planes that noise was smoothed by; 0: the cloud was thin already
 };
 

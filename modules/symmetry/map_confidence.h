@@ -33,6 +33,19 @@ isRotation(const MapScore& score);
 float
 candidateConfidence(const MapScore& score, const AsymmetrySigns& signs);
 
+/** \brief How densely and evenly the points of a cloud lie. */
+struct PointSpacing {
+  /** Mean distance of a sample from its neighbours in the graph, share of the diameter; nine of ten samples have closer
+   * ones. Where the points are farther apart than the samples should be, distances and patches are no more precise. */
+  float sparse = 0.0F;
+  /** Mean distance of a sample from its neighbours over that from the nearest one, the median sample: 1.4 where points
+   * are evenly spread, about 2.3 where they lie at random and leave gaps. */
+  float irregularity = 1.0F;
+};
+
+PointSpacing
+measureSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, float diameter);
+
 /** \brief What speaks for and against a refined map. */
 struct MapEvidence {
   MapScore score;               ///< of the refined map
@@ -41,14 +54,8 @@ struct MapEvidence {
   float distance = 0.0F; ///< of the patches from their images, share of the diameter: SampleEstimate::usual_distance
   float turn = 0.0F;     ///< of their normals: mean PatchFit::turn
   bool is_noisy = false; ///< the surface is that of a cloud which had to be smoothed: part of the misfit is noise
-  float spacing = 0.0F;  ///< of the points: sparseSpacing ()
+  PointSpacing spacing;  ///< of a cloud; the faces of a mesh tell what is between its points
 };
-
-/** \brief Mean distance of a sample from its neighbours in the graph of the surface, share of the diameter; nine of ten
- * samples have closer ones. Where the points are farther apart than the samples should be, distances and patches are no
- * more precise than that. */
-float
-sparseSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, float diameter);
 
 /** \brief Confidence of a whole map in [0, 1]: how likely it is a right map of a symmetric surface.
  *

@@ -177,18 +177,20 @@ TEST(MapConfidence, AllowsForPointsThatAreFarApart)
 {
   MapEvidence evidence = evidenceOfRightMap();
   evidence.distance *= 2.0F;
-  const auto at = [&](float spacing) {
-    evidence.spacing = spacing;
+  const auto at = [&](float sparse, float irregularity) {
+    evidence.spacing = {sparse, irregularity};
     return mapConfidence(evidence);
   };
-  EXPECT_EQ(at(0.01F), at(0.0F)) << "dense enough";
-  EXPECT_GT(at(0.015F), at(0.01F));
-  EXPECT_GT(at(0.02F), at(0.015F));
+  EXPECT_EQ(at(0.01F, 2.3F), at(0.0F, 2.3F)) << "dense enough";
+  EXPECT_GT(at(0.015F, 2.3F), at(0.01F, 2.3F));
+  EXPECT_GT(at(0.02F, 2.3F), at(0.015F, 2.3F));
+  EXPECT_LT(at(0.02F, 1.6F), at(0.02F, 2.3F)) << "evenly spread points leave smaller gaps";
+  EXPECT_EQ(at(0.02F, 1.3F), at(0.01F, 1.3F));
   evidence.is_noisy = true;
-  EXPECT_EQ(at(0.015F), at(0.01F)) << "the noise alone explains more";
+  EXPECT_EQ(at(0.015F, 2.3F), at(0.01F, 2.3F)) << "the noise alone explains more";
 }
 
-TEST(SparseSpacing, IsThatOfNineInTenSamples)
+TEST(MeasureSpacing, HasTheSparseSamplesAndTheUsualIrregularity)
 {
   // A path of 20 vertices with growing steps, and a vertex without edges.
   std::vector<GraphEdge> edges;
@@ -199,9 +201,14 @@ TEST(SparseSpacing, IsThatOfNineInTenSamples)
   std::vector<Index> samples(21);
   std::iota(samples.begin(), samples.end(), 0);
   // Vertex v > 0 lies between edges of the lengths v and v + 1; vertex 18 is the 19th of the 20 that have edges.
-  EXPECT_FLOAT_EQ(sparseSpacing(graph, samples, 2.0F), 18.5F / 2.0F);
-  EXPECT_FLOAT_EQ(sparseSpacing(graph, {5}, 1.0F), 5.5F);
-  EXPECT_EQ(sparseSpacing(graph, {20}, 1.0F), 0.0F);
+  const PointSpacing all = measureSpacing(graph, samples, 2.0F);
+  EXPECT_FLOAT_EQ(all.sparse, 18.5F / 2.0F);
+  // Both ends have one edge each, the others (v + 0.5) / v: the 11th of them, from below, is that of vertex 10.
+  EXPECT_FLOAT_EQ(all.irregularity, 10.5F / 10.0F);
+  const PointSpacing one = measureSpacing(graph, {5}, 1.0F);
+  EXPECT_FLOAT_EQ(one.sparse, 5.5F);
+  EXPECT_FLOAT_EQ(one.irregularity, 1.1F);
+  EXPECT_EQ(measureSpacing(graph, {20}, 1.0F).sparse, 0.0F);
 }
 
 TEST(MapConfidence, IsBounded)

@@ -193,6 +193,26 @@ TEST(PreparedSurfaceRepresentatives, OfACleanCloudAreItsPoints)
   }
 }
 
+TEST(PreparedSurfaceRepresentatives, OfRepeatedPointsAreTheFirstOnes)
+{
+  const std::vector<Vector3> sphere = sphereCloud(1500, cloud_radius);
+  const PreparedSurface expected = prepareCloud(sphere);
+  std::vector<Vector3> points = sphere;
+  for (std::size_t v = 0; v < 1500; v += 2) {
+    for (int time = 0; time < 12; ++time) { // more copies than a point has neighbours
+      points.push_back(Vector3(sphere[v]));
+    }
+  }
+  const PreparedSurface prepared = prepareCloud(points);
+  EXPECT_EQ(prepared.points, expected.points);
+  EXPECT_EQ(prepared.graph.lengths, expected.graph.lengths);
+  EXPECT_EQ(prepared.summary.used, points.size());
+  EXPECT_EQ(prepared.summary.outliers, 0U);
+  for (std::size_t i = 1500; i < points.size(); ++i) {
+    ASSERT_EQ(prepared.representatives[i], static_cast<Index>((i - 1500) / 12 * 2));
+  }
+}
+
 TEST(PreparedSurfaceRepresentatives, AreMissingForStrayPointsHoweverFarAway)
 {
   const std::vector<Vector3> sphere = sphereCloud(1500, cloud_radius);

@@ -35,28 +35,79 @@ findLonely(const NeighbourLists& lists, const std::vector<float>& mean_distance)
   return outlier;
 }
 
+/** Where the neighbours of a point lie, seen from it. */
+struct Neighbourhood {
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
+};
+
+Neighbourhood
+neighbourhood(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v, bool with_itself)
+{
+  Neighbourhood around;
+  float number = with_itself ? 1.0F : 0.0F;
+  for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
+    if (static_cast<std::size_t>(lists.neighbours[i]) != v) {
+      const Vector3 offset = points[lists.neighbours[i]] - points[v];
+      const Eigen::Vector3f x(offset[0], offset[1], offset[2]);
+      around.mean += x;
+      around.covariance += x * x.transpose();
+      number += 1.0F;
+    }
+  }
+  if (number > 0.0F) {
+    around.mean /= number;
+    around.covariance = around.covariance / number - around.mean * around.mean.transpose();
+  }
+  return around;
+}
+
 /** Standard deviation of a point and its neighbours across their plane, over that in all directions: 0 of a plane, 0.58
  * of a ball. */
 float
 flatness(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v)
 {
-  Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
-  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-  std::size_t found = 0;
-  for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
-    const Vector3 offset = points[lists.neighbours[i]] - points[v];
-    const Eigen::Vector3f x(offset[0], offset[1], offset[2]);
-    mean += x;
-    covariance += x * x.transpose();
-    ++found;
-  }
-  const auto number = static_cast<float>(found + 1);
-  mean /= number;
-  covariance = covariance / number - mean * mean.transpose();
+  const Eigen::Matrix3f covariance = neighbourhood(points, lists, v, true).covariance;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
   const float all = covariance.trace();
   return all > 0.0F ? std::sqrt(std::max(0.0F, solver.eigenvalues()(0)) / all) : 0.0F;
+}
+
+/** Whether a point is off the plane through its neighbours by more than these are. \param[in] mean_distance from them
+ */
+bool
+isOffPlane(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v, float mean_distance)
+{
+  constexpr float deviations = 3.0F; // of the neighbours from their plane
+  constexpr float distances = 0.8F;  // a point of a sparse surface may well be off by half of that
+  const Neighbourhood around = neighbourhood(points, lists, v, false);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(around.covariance);
+  const float offset = std::abs(solver.eigenvectors().col(0).dot(around.mean));
+  return offset > deviations * std::sqrt(std::max(0.0F, solver.eigenvalues()(0))) && offset > distances * mean_distance;
+}
+
+/** Marks points beside the surface: hardly any of their neighbours has them among its own, since the surface has nearer
+ * ones for it, and they are off the plane of their neighbours. */
+void
+markBesideSurface(const std::vector<Vector3>& points,
+                  const NeighbourLists& lists,
+                  const std::vector<float>& distances,
+                  std::vector<char>& stray)
+{
+  constexpr int hardly_any = 2;
+  std::vector<int> times_a_neighbour(points.size(), 0);
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
+      times_a_neighbour[lists.neighbours[i]] += static_cast<std::size_t>(lists.neighbours[i]) != v ? 1 : 0;
+    }
+  }
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (stray[v] == 0 && times_a_neighbour[v] <= hardly_any && isOffPlane(points, lists, v, distances[v])) {
+      stray[v] = 1;
+    }
+  }
 }
 
 /** Whether noise fills space as stray points do: then these are told when the noise is smoothed. */
@@ -118,6 +169,7 @@ findStrayPoints(const std::vector<Vector3>& points, const NeighbourLists& lists,
   if (isThick(points, lists)) {
     return stray;
   }
+  markBesideSurface(points, lists, distances, stray);
   const float far = far_apart * median(distances);
   bool found = false;
   for (std::size_t v = 0; v < points.size(); ++v) {

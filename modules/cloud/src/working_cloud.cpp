@@ -323,8 +323,6 @@ makeWorkingCloud(const std::vector<Vector3>& points,
       partSheets(points, layers, cloud);
     }
   }
-  cloud.outliers =
-      static_cast<std::size_t>(std::count(cloud.representatives.begin(), cloud.representatives.end(), no_index));
   return cloud;
 }
 

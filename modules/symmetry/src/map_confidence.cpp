@@ -23,8 +23,11 @@ float
 evidenceFromCoarseness(const MapEvidence& evidence)
 {
   constexpr float usual_spacing = 0.011F;
+  constexpr float even = 1.4F;
+  constexpr float random = 1.8F; // or nearly so
   constexpr float noise = 5.2F;
-  const float from_spacing = 10.0F * std::log(std::max(1.0F, evidence.spacing / usual_spacing));
+  const float gaps = std::clamp((evidence.spacing.irregularity - even) / (random - even), 0.0F, 1.0F);
+  const float from_spacing = 10.0F * gaps * std::log(std::max(1.0F, evidence.spacing.sparse / usual_spacing));
   return std::max(from_spacing, evidence.is_noisy ? noise : 0.0F);
 }
 
@@ -72,19 +75,24 @@ candidateConfidence(const MapScore& score, const AsymmetrySigns& signs)
                   5.0F * std::min(score.fixed, largest_fixed));
 }
 
-float
-sparseSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, float diameter)
+PointSpacing
+measureSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, float diameter)
 {
   constexpr double most_samples = 0.9;
-  std::vector<float> spacing;
+  std::vector<float> means;
+  std::vector<float> ratios;
   for (const Index v : samples) {
     const auto begin = graph.lengths.begin() + graph.offsets[v];
     const auto end = graph.lengths.begin() + graph.offsets[v + 1];
     if (begin != end) {
-      spacing.push_back(std::accumulate(begin, end, 0.0F) / (static_cast<float>(end - begin) * diameter));
+      means.push_back(std::accumulate(begin, end, 0.0F) / static_cast<float>(end - begin));
+      ratios.push_back(means.back() / *std::min_element(begin, end));
     }
   }
-  return quantile(std::move(spacing), most_samples);
+  if (means.empty()) {
+    return {};
+  }
+  return {quantile(std::move(means), most_samples) / diameter, median(std::move(ratios))};
 }
 
 float

@@ -152,6 +152,36 @@ dropOutliers(PreparedSurface& surface, const SymmetryParameters& parameters, con
   keepPoints(surface, keep);
 }
 
+/** Lets the first of several points at one place stand for all: they would take up each other's neighbours. */
+void
+mergeRepeatedPoints(PreparedSurface& surface)
+{
+  std::vector<Index> order(surface.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](Index a, Index b) { return std::tie(surface.points[a], a) < std::tie(surface.points[b], b); });
+  std::vector<Index> first(surface.size());
+  std::vector<char> keep(surface.size(), 1);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_repeated = i > 0 && surface.points[order[i]] == surface.points[order[i - 1]];
+    first[order[i]] = is_repeated ? first[order[i - 1]] : order[i];
+    keep[order[i]] = static_cast<char>(!is_repeated);
+  }
+  if (std::find(keep.begin(), keep.end(), 0) == keep.end()) {
+    return;
+  }
+  for (Index& representative : surface.representatives) {
+    representative = representative == no_index ? no_index : first[representative];
+  }
+  keepPoints(surface, keep);
+}
+
+std::size_t
+countLeftOut(const PreparedSurface& surface)
+{
+  return static_cast<std::size_t>(std::count(surface.representatives.begin(), surface.representatives.end(), no_index));
+}
+
 /** Goes over to a cloud without outliers and noise, of a size that is solved in a moment, and finds the neighbours of
  * its points. */
 void
@@ -167,13 +197,12 @@ reduceCloud(UsablePoints& usable,
   if (working.points.size() == surface.size() && working.smoothing_radius == 0.0F && working.normals.empty()) {
     return;
   }
-  surface.summary.outliers += working.outliers;
   surface.summary.smoothing_radius = working.smoothing_radius / surface.scale;
-  std::vector<Index> representatives(surface.representatives.size(), no_index);
-  for (std::size_t v = 0; v < surface.size(); ++v) {
-    representatives[surface.original[v]] = working.representatives[v];
+  const std::size_t left_out_before = countLeftOut(surface);
+  for (Index& representative : surface.representatives) {
+    representative = representative == no_index ? no_index : working.representatives[representative];
   }
-  surface.representatives = std::move(representatives);
+  surface.summary.outliers += countLeftOut(surface) - left_out_before;
   std::vector<Index> original;
   std::vector<Vector3> normals;
   for (const Index v : working.original) {
@@ -244,13 +273,9 @@ keepLargestComponent(PreparedSurface& surface)
     }
   }
   surface.graph = std::move(graph);
-  const auto left_out = [&] {
-    return static_cast<std::size_t>(
-        std::count(surface.representatives.begin(), surface.representatives.end(), no_index));
-  };
-  const std::size_t before = left_out();
+  const std::size_t before = countLeftOut(surface);
   keepPoints(surface, keep);
-  surface.summary.other_components = left_out() - before;
+  surface.summary.other_components = countLeftOut(surface) - before;
 }
 
 void
@@ -356,6 +381,7 @@ usablePoints(const Surface& surface,
   if (!prepared.is_cloud) {
     return usable;
   }
+  mergeRepeatedPoints(prepared);
   if (parameters.outlier_deviations > 0.0F) {
     dropOutliers(prepared, parameters, search);
   }
@@ -378,9 +404,7 @@ prepareSurface(UsablePoints usable, const SymmetryParameters& parameters, const 
     prepared.graph = buildMeshGraph(prepared.points, prepared.triangles);
   }
   keepLargestComponent(prepared);
-  const auto left_out =
-      static_cast<std::size_t>(std::count(prepared.representatives.begin(), prepared.representatives.end(), no_index));
-  prepared.summary.used = prepared.representatives.size() - left_out;
+  prepared.summary.used = prepared.representatives.size() - countLeftOut(prepared);
   prepared.summary.working_points = prepared.size();
   return prepared;
 }

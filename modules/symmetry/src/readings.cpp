@@ -56,14 +56,20 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
   return estimateRobust(prepared, parameters, default_settings, timer);
 }
 
-/** Which points of a cloud touch and which are connected cannot always be told: the ways to read it, the most trusting
- * first. */
+/** Which points of a cloud touch and which are connected cannot always be told: the ways to read it, the one that is
+ * usually right first. \param[in] depth see ContactTest, for all; negative: as the density allows */
 std::vector<ContactTest>
-contactTests(const Surface& surface, const SymmetryParameters& parameters, float depth)
+contactTests(const UsablePoints& usable, const SymmetryParameters& parameters, float depth)
 {
-  if (surface.hasFaces() || parameters.method == Method::Staged) {
+  constexpr std::size_t many_points = 8000; // fewer are as far apart as fingers are thick, and touch all over
+  const PreparedSurface& surface = usable.surface;
+  if (!surface.is_cloud || parameters.method == Method::Staged) {
     return {ContactTest{}};
   }
+  if (depth < 0.0F && surface.summary.smoothing_radius == 0.0F && surface.size() >= many_points) {
+    return {{0.9F, 6.0F, 0.7F}, {0.5F, 3.0F, 0.0F}, {0.8F, 4.0F, 0.0F}, {0.95F, 8.0F, 0.0F}};
+  }
+  depth = std::max(depth, 0.0F);
   return {{0.5F, 3.0F, depth}, {0.8F, 4.0F, depth}, {0.95F, 8.0F, depth}};
 }
 
@@ -80,14 +86,14 @@ public:
   }
 
   /** Reads the noise in one way and contacts in several, until the result is beyond doubt.
-   * \param[in] depths see ContactTest */
+   * \param[in] depths see contactTests () */
   void
   read(NoiseReading noise, const std::vector<float>& depths)
   {
     timer_.start("graph", 0.0);
     const UsablePoints usable = usablePoints(surface_, parameters_, search_, noise);
     for (const float depth : depths) {
-      for (const ContactTest& contact : contactTests(surface_, parameters_, depth)) {
+      for (const ContactTest& contact : contactTests(usable, parameters_, depth)) {
         timer_.start("graph", 0.0);
         Reading reading;
         reading.surface = prepareSurface(usable, parameters_, contact);
@@ -202,9 +208,10 @@ bestReading(const Surface& surface,
             InputSummary& summary)
 {
   constexpr float contact = 1.0F; // spacings
+  constexpr float as_density_allows = -1.0F;
   Reader reader(surface, parameters, search, timer, summary);
   RivalReadings& rivals = reader.rivals();
-  reader.read(NoiseReading::Close, {0.0F});
+  reader.read(NoiseReading::Close, {as_density_allows});
   if (surface.hasFaces() || parameters.method == Method::Staged || rivals.isSettled()) {
     return rivals.takeBest();
   }

@@ -130,7 +130,8 @@ public:
         interpolation_(interpolateFromSamples(surface, model.coarse, parameters.threads)),
         members_(membersOfCells(model.coarse)),
         probes_(thinnedMembers(members_, settings.refinement.probes)),
-        spacing_(sparseSpacing(surface.graph, model.coarse.cells.vertices, model.hubs.diameter)),
+        spacing_(surface.is_cloud ? measureSpacing(surface.graph, model.coarse.cells.vertices, model.hubs.diameter)
+                                  : PointSpacing{}),
         descriptor_(describeShape(model.coarse, model.basis, settings.search.dimensions, settings.search.descriptor)),
         refinement_(surface,
                     model.coarse,
@@ -219,8 +220,8 @@ private:
   const RobustSettings& settings_;
   SampleInterpolation interpolation_;
   CellMembers members_;
-  CellMembers probes_; ///< some of them
-  float spacing_;      ///< of the points, share of the diameter
+  CellMembers probes_;   ///< some of them
+  PointSpacing spacing_; ///< of a cloud
   ShapeDescriptor descriptor_;
   SampleRefinement refinement_;
 };
