@@ -35,17 +35,17 @@ findLonely(const NeighbourLists& lists, const std::vector<float>& mean_distance)
   return outlier;
 }
 
-/** Where the neighbours of a point lie, seen from it. */
+/** Where the neighbours of a point lie, and perhaps itself, seen from it. */
 struct Neighbourhood {
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
   Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
 };
 
 Neighbourhood
-neighbourhood(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v, bool with_itself)
+neighbourhood(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v, float weight_of_itself)
 {
   Neighbourhood around;
-  float number = with_itself ? 1.0F : 0.0F;
+  float number = weight_of_itself;
   for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
     if (static_cast<std::size_t>(lists.neighbours[i]) != v) {
       const Vector3 offset = points[lists.neighbours[i]] - points[v];
@@ -62,12 +62,12 @@ neighbourhood(const std::vector<Vector3>& points, const NeighbourLists& lists, s
   return around;
 }
 
-/** Standard deviation of a point and its neighbours across their plane, over that in all directions: 0 of a plane, 0.58
- * of a ball. */
+/** Standard deviation of a point, which counts twice, and its neighbours across their plane, over that in all
+ * directions: 0 of a plane, 0.58 of a ball. */
 float
 flatness(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v)
 {
-  const Eigen::Matrix3f covariance = neighbourhood(points, lists, v, true).covariance;
+  const Eigen::Matrix3f covariance = neighbourhood(points, lists, v, 2.0F).covariance;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
   const float all = covariance.trace();
@@ -81,7 +81,7 @@ isOffPlane(const std::vector<Vector3>& points, const NeighbourLists& lists, std:
 {
   constexpr float deviations = 3.0F; // of the neighbours from their plane
   constexpr float distances = 0.8F;  // a point of a sparse surface may well be off by half of that
-  const Neighbourhood around = neighbourhood(points, lists, v, false);
+  const Neighbourhood around = neighbourhood(points, lists, v, 0.0F);
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(around.covariance);
   const float offset = std::abs(solver.eigenvectors().col(0).dot(around.mean));

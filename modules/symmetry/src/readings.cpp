@@ -57,20 +57,24 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
 }
 
 /** Which points of a cloud touch and which are connected cannot always be told: the ways to read it, the one that is
- * usually right first. \param[in] depth see ContactTest, for all; negative: as the density allows */
+ * usually right first.
+ * \param[in] depths see ContactTest; none: as density and noise allow */
 std::vector<ContactTest>
-contactTests(const UsablePoints& usable, const SymmetryParameters& parameters, float depth)
+contactTests(const PreparedSurface& surface, const SymmetryParameters& parameters, const std::vector<float>& depths)
 {
   constexpr std::size_t many_points = 8000; // fewer are as far apart as fingers are thick, and touch all over
-  const PreparedSurface& surface = usable.surface;
   if (!surface.is_cloud || parameters.method == Method::Staged) {
     return {ContactTest{}};
   }
-  if (depth < 0.0F && surface.summary.smoothing_radius == 0.0F && surface.size() >= many_points) {
-    return {{0.9F, 6.0F, 0.7F}, {0.5F, 3.0F, 0.0F}, {0.8F, 4.0F, 0.0F}, {0.95F, 8.0F, 0.0F}};
+  const bool is_precise = surface.summary.smoothing_radius == 0.0F && surface.size() >= many_points;
+  std::vector<ContactTest> tests;
+  if (depths.empty() && is_precise) {
+    tests.push_back({0.9F, 6.0F, 0.7F});
   }
-  depth = std::max(depth, 0.0F);
-  return {{0.5F, 3.0F, depth}, {0.8F, 4.0F, depth}, {0.95F, 8.0F, depth}};
+  for (const float depth : depths.empty() ? std::vector<float>{0.0F} : depths) {
+    tests.insert(tests.end(), {{0.5F, 3.0F, depth}, {0.8F, 4.0F, depth}, {0.95F, 8.0F, depth}});
+  }
+  return tests;
 }
 
 /** Reads one surface in several ways. */
@@ -88,21 +92,19 @@ public:
   /** Reads the noise in one way and contacts in several, until the result is beyond doubt.
    * \param[in] depths see contactTests () */
   void
-  read(NoiseReading noise, const std::vector<float>& depths)
+  read(NoiseReading noise, const std::vector<float>& depths = {})
   {
     timer_.start("graph", 0.0);
     const UsablePoints usable = usablePoints(surface_, parameters_, search_, noise);
-    for (const float depth : depths) {
-      for (const ContactTest& contact : contactTests(usable, parameters_, depth)) {
-        timer_.start("graph", 0.0);
-        Reading reading;
-        reading.surface = prepareSurface(usable, parameters_, contact);
-        summary_ = reading.surface.summary;
-        reading.estimate = estimateMap(reading.surface, parameters_, timer_);
-        rivals_.add(std::move(reading));
-        if (rivals_.isSettled()) {
-          return;
-        }
+    for (const ContactTest& contact : contactTests(usable.surface, parameters_, depths)) {
+      timer_.start("graph", 0.0);
+      Reading reading;
+      reading.surface = prepareSurface(usable, parameters_, contact);
+      summary_ = reading.surface.summary;
+      reading.estimate = estimateMap(reading.surface, parameters_, timer_);
+      rivals_.add(std::move(reading));
+      if (rivals_.isSettled()) {
+        return;
       }
     }
   }
@@ -208,10 +210,9 @@ bestReading(const Surface& surface,
             InputSummary& summary)
 {
   constexpr float contact = 1.0F; // spacings
-  constexpr float as_density_allows = -1.0F;
   Reader reader(surface, parameters, search, timer, summary);
   RivalReadings& rivals = reader.rivals();
-  reader.read(NoiseReading::Close, {as_density_allows});
+  reader.read(NoiseReading::Close);
   if (surface.hasFaces() || parameters.method == Method::Staged || rivals.isSettled()) {
     return rivals.takeBest();
   }
@@ -221,7 +222,7 @@ bestReading(const Surface& surface,
     }
     return rivals.takeBest();
   }
-  reader.read(NoiseReading::Smooth, {0.0F});
+  reader.read(NoiseReading::Smooth);
   if (!rivals.isSettled()) {
     // Noise makes each reading uncertain, so that several are worth their time.
     reader.read(NoiseReading::Parted, {contact, 0.0F, 0.7F * contact});
