@@ -167,11 +167,12 @@ printGraphs(std::ostream& out, const std::vector<GraphRun>& runs)
     sets[run.model.set][run.model.class_name].add(run.accuracy.median_error, run.accuracy.short_pairs);
   }
   for (const auto& [set, classes] : sets) {
+    const std::string prefix = set + "/";
     Totals whole;
     out << '\n';
     for (const auto& [name, totals] : classes) {
       whole.add(totals.median_error / totals.count, totals.short_pairs / totals.count);
-      printLine(out, set + "/" + name, totals.median_error / totals.count, totals.short_pairs / totals.count);
+      printLine(out, prefix + name, totals.median_error / totals.count, totals.short_pairs / totals.count);
     }
     printLine(out, set + " (mean of classes)", whole.median_error / whole.count, whole.short_pairs / whole.count);
   }
