@@ -7,7 +7,6 @@
 #include "symmetry/prepared_surface.h"
 
 #include <iosfwd>
-#include <optional>
 #include <string>
 #include <vector>
 

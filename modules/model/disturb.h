@@ -32,8 +32,8 @@ addNoise(Model& model, double fraction, std::uint64_t seed);
 void
 quantise(Model& model, double fraction);
 
-/** \brief Which vertices round holes leave: of equal numbers of vertices, around random vertices; what is no longer in
- * a triangle goes too.
+/** \brief Marks the vertices that round holes leave: of equal numbers of vertices, around random vertices; what is no
+ * longer in a triangle goes too.
  *
  * Holes may overlap, so that less than the share may be missing. A large hole may cut a limb off.
  *  \param[in] surface mesh or cloud
@@ -42,20 +42,20 @@ quantise(Model& model, double fraction);
  *  \param[in] seed of the random numbers
  *  \throws std::invalid_argument the share is out of range */
 std::vector<char>
-outsideHoles(const Surface& surface, std::size_t holes, double share, std::uint64_t seed);
+markOutsideHoles(const Surface& surface, std::size_t holes, double share, std::uint64_t seed);
 
-/** \brief Cuts holes, see outsideHoles (). */
+/** \brief Cuts holes, see markOutsideHoles (). */
 void
 cutHoles(Model& model, std::size_t holes, double share, std::uint64_t seed);
 
-/** \brief Which points stay when more and more of them go in a random direction.
+/** \brief Marks the points that stay when more and more of them go in a random direction.
  *  \param[in] ratio of the density where all points are kept to that at the far end, [1, 1000]
  *  \param[in] seed of the random numbers
  *  \throws std::invalid_argument the ratio is out of range */
 std::vector<char>
-evenlyThinner(const std::vector<Vector3>& points, double ratio, std::uint64_t seed);
+markThinnedOut(const std::vector<Vector3>& points, double ratio, std::uint64_t seed);
 
-/** \brief Drops points, more and more in a random direction, see evenlyThinner (); drops all faces. */
+/** \brief Drops points, more and more in a random direction, see markThinnedOut (); drops all faces. */
 void
 thinOut(Model& model, double ratio, std::uint64_t seed);
 

@@ -43,6 +43,7 @@ struct PointSpacing {
   float irregularity = 1.0F;
 };
 
+/** \brief Measures the points around the samples; samples without neighbours at a distance do not count. */
 PointSpacing
 measureSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, float diameter);
 
@@ -62,8 +63,8 @@ struct MapEvidence {
  * A logistic function of the usual misfit of the patches, of the stretch at the worst places relative to the distortion
  * of the whole (an odd limb stretches its surroundings only; a pose or coarse samples, everything), of the curvature,
  * and of what stands still beyond a head, a tail and a seam: an odd limb is mirrored in itself. Noise, or few points,
- * explain part of all that. Its weights were fitted
- * to right and wrong maps of scans and of generated bodies, symmetric and not, as meshes, clouds and noisy clouds.
+ * explain part of all that. Its weights were fitted to right and wrong maps of scans and of generated bodies, symmetric
+ * and not, as meshes, clouds, and noisy, sparse and uneven clouds.
  */
 float
 mapConfidence(const MapEvidence& evidence);

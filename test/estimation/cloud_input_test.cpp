@@ -186,7 +186,7 @@ TEST(CloudInput, FewPointsAtRandomPlacesAreEnough)
 TEST(CloudInput, MayBeTenTimesDenserAtOneEnd)
 {
   const Model whole = fineHuman();
-  EXPECT_GE(rateOfPart(whole, evenlyThinner(whole.surface.points, 10.0, 5)), 0.95);
+  EXPECT_GE(rateOfPart(whole, markThinnedOut(whole.surface.points, 10.0, 5)), 0.95);
 }
 
 } // namespace

@@ -209,6 +209,8 @@ TEST(MeasureSpacing, HasTheSparseSamplesAndTheUsualIrregularity)
   EXPECT_FLOAT_EQ(one.sparse, 5.5F);
   EXPECT_FLOAT_EQ(one.irregularity, 1.1F);
   EXPECT_EQ(measureSpacing(graph, {20}, 1.0F).sparse, 0.0F);
+  const SurfaceGraph at_one_place = buildGraph(2, {{0, 1, 0.0F}});
+  EXPECT_EQ(measureSpacing(at_one_place, {0, 1}, 1.0F).irregularity, 1.0F);
 }
 
 TEST(MapConfidence, IsBounded)

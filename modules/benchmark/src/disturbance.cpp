@@ -50,8 +50,8 @@ std::vector<char>
 markRemaining(const Surface& surface, const Disturbance& disturbance)
 {
   std::vector<char> keep = markUndropped(surface.size(), disturbance.drop, disturbance.seed);
-  unmark(keep, outsideHoles(surface, disturbance.holes, disturbance.hole_share, disturbance.seed + 3));
-  unmark(keep, evenlyThinner(surface.points, disturbance.thin, disturbance.seed + 4));
+  unmark(keep, markOutsideHoles(surface, disturbance.holes, disturbance.hole_share, disturbance.seed + 3));
+  unmark(keep, markThinnedOut(surface.points, disturbance.thin, disturbance.seed + 4));
   return keep;
 }
 

@@ -181,7 +181,7 @@ quantise(Model& model, double fraction)
 }
 
 std::vector<char>
-outsideHoles(const Surface& surface, std::size_t holes, double share, std::uint64_t seed)
+markOutsideHoles(const Surface& surface, std::size_t holes, double share, std::uint64_t seed)
 {
   checkRange("share of the holes", share, 0.0, 0.9);
   const std::size_t points = surface.size();
@@ -209,11 +209,11 @@ outsideHoles(const Surface& surface, std::size_t holes, double share, std::uint6
 void
 cutHoles(Model& model, std::size_t holes, double share, std::uint64_t seed)
 {
-  keepVertices(model, outsideHoles(model.surface, holes, share, seed));
+  keepVertices(model, markOutsideHoles(model.surface, holes, share, seed));
 }
 
 std::vector<char>
-evenlyThinner(const std::vector<Vector3>& points, double ratio, std::uint64_t seed)
+markThinnedOut(const std::vector<Vector3>& points, double ratio, std::uint64_t seed)
 {
   checkRange("density ratio", ratio, 1.0, 1000.0);
   RandomNumbers random(seed);
@@ -236,7 +236,7 @@ evenlyThinner(const std::vector<Vector3>& points, double ratio, std::uint64_t se
 void
 thinOut(Model& model, double ratio, std::uint64_t seed)
 {
-  const std::vector<char> keep = evenlyThinner(model.surface.points, ratio, seed);
+  const std::vector<char> keep = markThinnedOut(model.surface.points, ratio, seed);
   dropFaces(model);
   keepVertices(model, keep);
 }

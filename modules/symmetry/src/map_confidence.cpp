@@ -18,7 +18,7 @@ logistic(float evidence)
   return 1.0F / (1.0F + std::exp(-evidence));
 }
 
-/** Evidence against a map that comes from how coarsely the surface is known, not from the map. */
+/** How much of the evidence against a map comes from how coarsely the surface is known, and not from the map. */
 float
 evidenceFromCoarseness(const MapEvidence& evidence)
 {
@@ -84,9 +84,10 @@ measureSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, flo
   for (const Index v : samples) {
     const auto begin = graph.lengths.begin() + graph.offsets[v];
     const auto end = graph.lengths.begin() + graph.offsets[v + 1];
-    if (begin != end) {
+    const float nearest = begin != end ? *std::min_element(begin, end) : 0.0F;
+    if (nearest > 0.0F) { // and not too small for a float
       means.push_back(std::accumulate(begin, end, 0.0F) / static_cast<float>(end - begin));
-      ratios.push_back(means.back() / *std::min_element(begin, end));
+      ratios.push_back(means.back() / nearest);
     }
   }
   if (means.empty()) {
