@@ -40,19 +40,32 @@ public:
 private:
   using Key = std::uint64_t;
 
+  /** The cubes with the same y and z that hold points. */
+  struct Row {
+    Key key = 0;
+    std::uint32_t begin = 0; ///< first entry; both 0: no row
+    std::uint32_t end = 0;
+  };
+
   std::array<std::int64_t, 3>
   cube(const Vector3& p) const;
 
   static Key
-  key(const std::array<std::int64_t, 3>& c);
+  rowKey(const std::array<std::int64_t, 3>& c);
+
+  /** The place of a row in the table, or where it would be entered. */
+  std::size_t
+  slot(Key key) const;
 
   /** Entries of three cubes in a row along x. */
   std::array<std::size_t, 2>
   row(const std::array<std::int64_t, 3>& first) const;
 
   float inverse_cell_;
-  std::vector<Key> keys_;    ///< of the points in order_, ascending
-  std::vector<Index> order_; ///< points by cube, ascending within one
+  std::vector<Row> rows_;        ///< hashed, at most half full
+  unsigned shift_ = 0;           ///< from a hash to a place among rows_
+  std::vector<std::int32_t> xs_; ///< of the cubes of the entries, ascending within a row
+  std::vector<Index> order_;     ///< points of the entries, ascending within a cube
 };
 
 } // namespace symmetry

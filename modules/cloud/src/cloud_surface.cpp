@@ -4,6 +4,7 @@
 #include "cloud/local_delaunay.h"
 #include "cloud/point_grid.h"
 #include "geodesic/median.h"
+#include "geodesic/parallel.h"
 #include "geodesic/shortest_paths.h"
 #include "geodesic/vector_math.h"
 
@@ -83,15 +84,42 @@ private:
   std::vector<Index> parent_;
 };
 
+/** Moves the edges for which a worker's verdict is true; what is left keeps its order.
+ * \param[in] make_judge called once per thread, returns a function of an edge */
+template <typename MakeJudge>
+void
+moveEdges(std::vector<GraphEdge>& from, std::vector<GraphEdge>& to, unsigned threads, MakeJudge make_judge)
+{
+  constexpr std::size_t grain = 1024;
+  std::vector<char> moves(from.size());
+  parallelBlocks(from.size(), grain, threads, [&] {
+    return [&, judge = make_judge()](std::size_t begin, std::size_t end) mutable {
+      for (std::size_t i = begin; i < end; ++i) {
+        moves[i] = judge(from[i]) ? 1 : 0;
+      }
+    };
+  });
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (moves[i] != 0) {
+      to.push_back(from[i]);
+    }
+    else {
+      from[left++] = from[i];
+    }
+  }
+  from.resize(left);
+}
+
 /** Splits edges into trusted and distrusted ones. */
 template <typename IsShortcut>
 void
-separateEdges(std::vector<GraphEdge>& trusted, std::vector<GraphEdge>& distrusted, IsShortcut is_shortcut)
+separateEdges(std::vector<GraphEdge>& trusted,
+              std::vector<GraphEdge>& distrusted,
+              unsigned threads,
+              IsShortcut is_shortcut)
 {
-  const auto first_bad =
-      std::stable_partition(trusted.begin(), trusted.end(), [&](const GraphEdge& edge) { return !is_shortcut(edge); });
-  distrusted.insert(distrusted.end(), first_bad, trusted.end());
-  trusted.erase(first_bad, trusted.end());
+  moveEdges(trusted, distrusted, threads, [&is_shortcut] { return is_shortcut; });
 }
 
 /** Moves the shortest distrusted edges between parts that the trusted ones do not join to these; the number of them. */
@@ -208,15 +236,15 @@ private:
 /** Puts back the edges that shorten no way by much: on a sharp bend they are needed, and they join no parts in contact.
  */
 void
-restoreHarmless(std::size_t n, float detour, std::vector<GraphEdge>& trusted, std::vector<GraphEdge>& distrusted)
+restoreHarmless(
+    std::size_t n, float detour, unsigned threads, std::vector<GraphEdge>& trusted, std::vector<GraphEdge>& distrusted)
 {
   const SurfaceGraph graph = buildGraph(n, trusted);
-  LocalSearch search(graph);
-  const auto first_harmful = std::stable_partition(distrusted.begin(), distrusted.end(), [&](const GraphEdge& edge) {
-    return search.isNear(edge.a, edge.b, detour * edge.length);
+  moveEdges(distrusted, trusted, threads, [&graph, detour] {
+    return [search = LocalSearch(graph), detour](const GraphEdge& edge) mutable {
+      return search.isNear(edge.a, edge.b, detour * edge.length);
+    };
   });
-  trusted.insert(trusted.end(), distrusted.begin(), first_harmful);
-  distrusted.erase(distrusted.begin(), first_harmful);
 }
 
 /** Links across the gaps between the parts of a graph: from each smaller part to the nearest other one, all ways that
@@ -280,7 +308,7 @@ buildCloudSurface(const std::vector<Vector3>& points,
 
   std::vector<GraphEdge> trusted = edgesOf(plain);
   std::vector<GraphEdge> distrusted;
-  separateEdges(trusted, distrusted, [&](const GraphEdge& edge) {
+  separateEdges(trusted, distrusted, threads, [&](const GraphEdge& edge) {
     constexpr float steep = 0.7F;
     constexpr float short_edge = 0.5F; // noise may well point along the normal within the spacing
     const Vector3 direction = normalized(points[edge.b] - points[edge.a]);
@@ -294,18 +322,18 @@ buildCloudSurface(const std::vector<Vector3>& points,
     bridgeParts(points.size(), whole, rest);
     orientNormals(points, buildGraph(points.size(), whole), is_oriented, cloud.normals);
   }
-  separateEdges(trusted, distrusted, [&](const GraphEdge& edge) {
+  separateEdges(trusted, distrusted, threads, [&](const GraphEdge& edge) {
     return dot(cloud.normals[edge.a], cloud.normals[edge.b]) < contact.bend;
   });
   std::size_t bridges = 0;
   const float depth = contact.depth * median(spacing);
   if (depth > 0.0F) {
     const ContactBarrier barrier(points, cloud.normals, depth);
-    separateEdges(trusted, distrusted, [&](const GraphEdge& edge) { return barrier.isCrossedBy(edge); });
+    separateEdges(trusted, distrusted, threads, [&](const GraphEdge& edge) { return barrier.isCrossedBy(edge); });
     // The inside of a thin part is crossed all over: first it has to hang together.
     bridges = bridgeParts(points.size(), trusted, distrusted);
   }
-  restoreHarmless(points.size(), contact.detour, trusted, distrusted);
+  restoreHarmless(points.size(), contact.detour, threads, trusted, distrusted);
 
   cloud.triangles = localDelaunayTriangles(points, cloud.normals, buildGraph(points.size(), trusted), threads);
   cloud.bridges = bridges + bridgeParts(points.size(), trusted, distrusted) + gaps.size();

@@ -2,24 +2,46 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace pcl {
 namespace symmetry {
+namespace {
+
+constexpr std::int64_t offset = std::int64_t{1} << 20; // 21 bits for each direction
+
+} // namespace
 
 PointGrid::PointGrid(const std::vector<Vector3>& points, float cell) : inverse_cell_(1.0F / cell)
 {
-  std::vector<Key> unsorted(points.size());
+  std::vector<std::pair<Key, Index>> entries;
+  entries.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    unsorted[i] = key(cube(points[i]));
+    const std::array<std::int64_t, 3> c = cube(points[i]);
+    entries.emplace_back(rowKey(c) << 21U | static_cast<Key>(c[0] + offset), static_cast<Index>(i));
   }
-  order_.resize(points.size());
-  std::iota(order_.begin(), order_.end(), 0);
-  std::sort(order_.begin(), order_.end(),
-            [&](Index a, Index b) { return unsorted[a] != unsorted[b] ? unsorted[a] < unsorted[b] : a < b; });
-  keys_.reserve(points.size());
-  for (const Index i : order_) {
-    keys_.push_back(unsorted[i]);
+  std::sort(entries.begin(), entries.end());
+  xs_.reserve(entries.size());
+  order_.reserve(entries.size());
+  std::vector<Row> rows;
+  for (const auto& [key, point] : entries) {
+    const Key row = key >> 21U;
+    const auto entry = static_cast<std::uint32_t>(order_.size());
+    if (rows.empty() || rows.back().key != row) {
+      rows.push_back({row, entry, entry});
+    }
+    ++rows.back().end;
+    xs_.push_back(static_cast<std::int32_t>(static_cast<std::int64_t>(key & ((Key{1} << 21U) - 1U)) - offset));
+    order_.push_back(point);
+  }
+  unsigned bits = 1;
+  while ((std::size_t{1} << bits) < 2 * rows.size()) {
+    ++bits;
+  }
+  shift_ = 64U - bits;
+  rows_.resize(std::size_t{1} << bits);
+  for (const Row& row : rows) {
+    rows_[slot(row.key)] = row;
   }
 }
 
@@ -34,19 +56,29 @@ PointGrid::cube(const Vector3& p) const
 }
 
 PointGrid::Key
-PointGrid::key(const std::array<std::int64_t, 3>& c)
+PointGrid::rowKey(const std::array<std::int64_t, 3>& c)
 {
-  constexpr std::int64_t offset = std::int64_t{1} << 20; // 21 bits for each direction
-  return static_cast<Key>(c[2] + offset) << 42U | static_cast<Key>(c[1] + offset) << 21U |
-         static_cast<Key>(c[0] + offset);
+  return static_cast<Key>(c[2] + offset) << 21U | static_cast<Key>(c[1] + offset);
+}
+
+std::size_t
+PointGrid::slot(Key key) const
+{
+  constexpr Key golden = 0x9E3779B97F4A7C15U; // Fibonacci hashing: 2^64 over the golden ratio
+  std::size_t place = (key * golden) >> shift_;
+  while (rows_[place].end != 0 && rows_[place].key != key) {
+    place = (place + 1) & (rows_.size() - 1);
+  }
+  return place;
 }
 
 std::array<std::size_t, 2>
 PointGrid::row(const std::array<std::int64_t, 3>& first) const
 {
-  const auto begin = std::lower_bound(keys_.begin(), keys_.end(), key(first));
-  const auto end = std::upper_bound(begin, keys_.end(), key({first[0] + 2, first[1], first[2]}));
-  return {static_cast<std::size_t>(begin - keys_.begin()), static_cast<std::size_t>(end - keys_.begin())};
+  const Row& row = rows_[slot(rowKey(first))];
+  const auto begin = std::lower_bound(xs_.begin() + row.begin, xs_.begin() + row.end, first[0]);
+  const auto end = std::upper_bound(begin, xs_.begin() + row.end, first[0] + 2);
+  return {static_cast<std::size_t>(begin - xs_.begin()), static_cast<std::size_t>(end - xs_.begin())};
 }
 
 } // namespace symmetry
