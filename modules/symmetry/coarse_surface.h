@@ -20,6 +20,7 @@ struct CoarseSurface {
   std::vector<Triangle> triangles; ///< dual of the cells, oriented as the surface
   SurfaceGraph graph;              ///< adjacency of the cells with geodesic lengths
   std::vector<float> conductances; ///< per edge of the graph: flow between two cells for a difference of 1
+  std::vector<char> at_hole;       ///< not 0: a hole reaches into the cell, see cellsAtHoles ()
 
   std::size_t
   size() const

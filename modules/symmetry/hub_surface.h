@@ -21,6 +21,7 @@ struct HubSurface {
   std::vector<Index> nearest_hub;  ///< of every sample
   std::vector<Vector3> points;
   std::vector<Vector3> normals;
+  std::vector<char> at_hole;      ///< not 0: a hole reaches into the cell of the sample
   std::vector<float> centrality;  ///< average geodesic distance (AGD) of each hub
   std::vector<Index> extremities; ///< local maxima of the AGD, the farthest out first
 
@@ -35,6 +36,12 @@ struct HubSurface {
  * \param[in] metric Euclidean: the mutual distances are straight lines */
 HubSurface
 makeHubSurface(const CoarseSurface& surface, std::size_t hubs, Metric metric, unsigned threads);
+
+/** \brief Marks what a map says something about: the hubs that neither lie at a hole themselves nor are sent to one, as
+ * what belongs into a hole is. All of them where that leaves hardly any.
+ * \param[in] map image of each hub */
+std::vector<char>
+comparableHubs(const HubSurface& hubs, const std::vector<Index>& map);
 
 /** \brief Hubs whose AGD is largest within a distance of \a separation (share of the diameter), at most so many, the
  * farthest out first. */

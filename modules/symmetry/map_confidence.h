@@ -55,6 +55,7 @@ struct MapEvidence {
   float distance = 0.0F; ///< of the patches from their images, share of the diameter: SampleEstimate::usual_distance
   float turn = 0.0F;     ///< of their normals: mean PatchFit::turn
   bool is_noisy = false; ///< the surface is that of a cloud which had to be smoothed: part of the misfit is noise
+  float at_holes = 0.0F; ///< share of the samples into whose cells holes reach
   PointSpacing spacing;  ///< of a cloud; the faces of a mesh tell what is between its points
 };
 
@@ -62,9 +63,9 @@ struct MapEvidence {
  *
  * A logistic function of the usual misfit of the patches, of the stretch at the worst places relative to the distortion
  * of the whole (an odd limb stretches its surroundings only; a pose or coarse samples, everything), of the curvature,
- * and of what stands still beyond a head, a tail and a seam: an odd limb is mirrored in itself. Noise, or few points,
- * explain part of all that. Its weights were fitted to right and wrong maps of scans and of generated bodies, symmetric
- * and not, as meshes, clouds, and noisy, sparse and uneven clouds.
+ * and of what stands still beyond a head, a tail and a seam: an odd limb is mirrored in itself. Noise, few points, or
+ * holes explain part of all that. Its weights were fitted to right and wrong maps of scans and of generated bodies,
+ * symmetric and not, as meshes, clouds, and noisy, sparse and uneven clouds.
  */
 float
 mapConfidence(const MapEvidence& evidence);

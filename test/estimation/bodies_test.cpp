@@ -1,4 +1,5 @@
 // From a body to partners, sides and axis, against the truth the body was grown with.
+#include "model/disturb.h"
 #include "support/known_body.h"
 
 #include <pcl/symmetry/symmetry.h>
@@ -219,5 +220,49 @@ INSTANTIATE_TEST_SUITE_P(Mesh,
                            name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
                            return name;
                          });
+
+/** Bodies from which a dozen patches are missing, as meshes and as clouds. */
+class BodyWithHolesTest : public testing::TestWithParam<bool> {
+protected:
+  static Model
+  withHoles(Body kind)
+  {
+    ModelParameters parameters;
+    parameters.body = kind;
+    parameters.vertices = 6000;
+    parameters.seed = 2;
+    Model model = makeModel(parameters);
+    cutHoles(model, 12, 0.12, 2);
+    return model;
+  }
+
+  static SymmetryResult
+  estimate(Surface surface)
+  {
+    if (GetParam()) {
+      surface.triangles.clear();
+    }
+    return estimateIntrinsicSymmetry(surface);
+  }
+};
+
+TEST_P(BodyWithHolesTest, HasItsSymmetryStill)
+{
+  const Model model = withHoles(Body::Human);
+  const SymmetryResult result = estimate(model.surface);
+  ASSERT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  EXPECT_GE(result.confidence, 0.8F);
+  EXPECT_GE(correspondenceRate(mapErrors(model, result.partners)), 0.9);
+}
+
+TEST_P(BodyWithHolesTest, HasNoneWithoutAnArm)
+{
+  const SymmetryResult result = estimate(withHoles(Body::MissingArm).surface);
+  EXPECT_EQ(result.status, SymmetryStatus::NoSymmetry);
+}
+
+INSTANTIATE_TEST_SUITE_P(Input, BodyWithHolesTest, testing::Bool(), [](const auto& tested) {
+  return tested.param ? "Cloud" : "Mesh";
+});
 
 } // namespace

@@ -141,4 +141,18 @@ TEST(HubRegions, WithoutLimbsEverythingIsCentre)
   EXPECT_EQ(regions, std::vector<Region>(250, Region::Centre));
 }
 
+TEST(ComparableHubs, AreThoseThatHaveNoHoleAtEitherEnd)
+{
+  HubSurface hubs;
+  hubs.at_hole = {0, 1, 0, 0, 0};
+  EXPECT_EQ(comparableHubs(hubs, {0, 2, 1, 4, 3}), (std::vector<char>{1, 0, 0, 1, 1}));
+}
+
+TEST(ComparableHubs, AreAllWhereHolesLeaveHardlyAny)
+{
+  HubSurface hubs;
+  hubs.at_hole = {1, 1, 1, 1, 1, 0};
+  EXPECT_EQ(comparableHubs(hubs, {1, 0, 3, 2, 5, 4}), std::vector<char>(6, 1));
+}
+
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "cloud/local_delaunay.h"
 #include "geodesic/vector_math.h"
+#include "symmetry/hole_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -190,6 +191,7 @@ coarsenSurface(const PreparedSurface& surface, std::size_t samples)
     coarse.areas = cellAreas(surface, coarse.cells);
     coarse.conductances = cellConductances(surface, coarse);
   }
+  coarse.at_hole = cellsAtHoles(surface, coarse);
   return coarse;
 }
 

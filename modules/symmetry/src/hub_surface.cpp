@@ -48,6 +48,22 @@ extremitiesOf(const HubSurface& hubs, float separation, std::size_t most)
   return extremities;
 }
 
+std::vector<char>
+comparableHubs(const HubSurface& hubs, const std::vector<Index>& map)
+{
+  constexpr std::size_t fewest = 5; // a fifth
+  std::vector<char> comparable(map.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    comparable[i] = hubs.at_hole[i] == 0 && hubs.at_hole[map[i]] == 0 ? 1 : 0;
+    count += static_cast<std::size_t>(comparable[i]);
+  }
+  if (fewest * count < map.size()) {
+    std::fill(comparable.begin(), comparable.end(), 1);
+  }
+  return comparable;
+}
+
 HubSurface
 makeHubSurface(const CoarseSurface& surface, std::size_t hubs, Metric metric, unsigned threads)
 {
@@ -73,6 +89,7 @@ makeHubSurface(const CoarseSurface& surface, std::size_t hubs, Metric metric, un
   result.diameter = result.distances.maxCoeff();
   result.points.assign(surface.points.begin(), surface.points.begin() + n);
   result.normals.assign(surface.normals.begin(), surface.normals.begin() + n);
+  result.at_hole.assign(surface.at_hole.begin(), surface.at_hole.begin() + n);
   result.nearest_hub = nearestHubs(fields);
   result.triangles = dualTriangles(surface.triangles, result.nearest_hub);
   const Eigen::VectorXf mean = result.distances.rowwise().mean();

@@ -21,28 +21,50 @@ windows(const HubSurface& hubs, float radius)
   return (-(hubs.distances.array() * scale).square()).unaryExpr([](float x) { return std::exp(x); }).matrix();
 }
 
-/** Every column replaced by the mean of the columns of the nearest hubs. */
+/** Weights as of windows (), 0 for the hubs that cannot be compared. */
 Eigen::MatrixXf
-averagedColumns(const Eigen::MatrixXf& matrix, const std::vector<std::vector<Index>>& nearest)
+comparableWindows(const HubSurface& hubs, float radius, const std::vector<char>& comparable)
+{
+  Eigen::MatrixXf window = windows(hubs, radius);
+  for (std::size_t j = 0; j < comparable.size(); ++j) {
+    if (comparable[j] == 0) {
+      window.row(static_cast<Eigen::Index>(j)).setZero();
+    }
+  }
+  return window;
+}
+
+/** Every column replaced by the mean of it and of the columns of the nearest hubs, those of them that can be compared.
+ */
+Eigen::MatrixXf
+averagedColumns(const Eigen::MatrixXf& matrix,
+                const std::vector<std::vector<Index>>& nearest,
+                const std::vector<char>& comparable)
 {
   Eigen::MatrixXf mean = matrix;
   for (std::size_t i = 0; i < nearest.size(); ++i) {
     auto column = mean.col(static_cast<Eigen::Index>(i));
+    int count = 1;
     for (const Index j : nearest[i]) {
-      column += matrix.col(j);
+      if (comparable[j] != 0) {
+        column += matrix.col(j);
+        ++count;
+      }
     }
-    column /= static_cast<float>(nearest[i].size() + 1);
+    column /= static_cast<float>(count);
   }
   return mean;
 }
 
-/** Around every hub, by how much the map changes distances to it, as a share of those distances. The changes are
- * averaged over the hubs next to both ends first: a map can only send hubs to hubs, which are some way apart. */
+/** Around every hub that can be compared, by how much the map changes distances to it, as a share of those distances.
+ * The changes are averaged over the hubs next to both ends first: a map can only send hubs to hubs, which are some way
+ * apart. */
 std::vector<float>
 stretchAround(const HubSurface& hubs, const SampleMap& map)
 {
   constexpr std::size_t next = 6;
   constexpr float radius = 0.2F;
+  const std::vector<char> comparable = comparableHubs(hubs, map);
   const auto count = static_cast<Eigen::Index>(hubs.size());
   Eigen::MatrixXf change(count, count);
   for (Eigen::Index j = 0; j < count; ++j) {
@@ -52,28 +74,36 @@ stretchAround(const HubSurface& hubs, const SampleMap& map)
     }
   }
   const std::vector<std::vector<Index>> nearest = nearestHubs(hubs, next);
-  change = averagedColumns(averagedColumns(change, nearest).transpose(), nearest).cwiseAbs();
-  const Eigen::MatrixXf window = windows(hubs, radius);
+  change = averagedColumns(averagedColumns(change, nearest, comparable).transpose(), nearest, comparable).cwiseAbs();
+  const Eigen::MatrixXf window = comparableWindows(hubs, radius, comparable);
   std::vector<float> stretch;
   for (Eigen::Index i = 0; i < count; ++i) {
+    if (comparable[static_cast<std::size_t>(i)] == 0) {
+      continue;
+    }
     stretch.push_back(window.col(i).dot(change.col(i)) / window.col(i).dot(hubs.distances.col(i)));
   }
   return stretch;
 }
 
+/** The same of the curvature, in units of its variance. */
 std::vector<float>
 curvatureChangeAround(const HubSurface& hubs, const Eigen::MatrixXf& curvature, const SampleMap& map)
 {
   constexpr float radius = 0.12F;
+  const std::vector<char> comparable = comparableHubs(hubs, map);
   const auto count = static_cast<Eigen::Index>(hubs.size());
   const float variance = curvature.topRows(count).squaredNorm() / static_cast<float>(count);
   Eigen::VectorXf change(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     change(i) = (curvature.row(i) - curvature.row(map[static_cast<std::size_t>(i)])).squaredNorm();
   }
-  const Eigen::MatrixXf window = windows(hubs, radius);
+  const Eigen::MatrixXf window = comparableWindows(hubs, radius, comparable);
   std::vector<float> around;
   for (Eigen::Index i = 0; i < count; ++i) {
+    if (comparable[static_cast<std::size_t>(i)] == 0) {
+      continue;
+    }
     around.push_back(variance > 0.0F ? window.col(i).dot(change) / (window.col(i).sum() * variance) : 0.0F);
   }
   return around;

@@ -18,17 +18,22 @@ logistic(float evidence)
   return 1.0F / (1.0F + std::exp(-evidence));
 }
 
-/** How much of the evidence against a map comes from how coarsely the surface is known, and not from the map. */
+/** How much of the evidence against a map comes from how badly the surface is known, and not from the map. */
 float
-evidenceFromCoarseness(const MapEvidence& evidence)
+evidenceFromGaps(const MapEvidence& evidence)
 {
   constexpr float usual_spacing = 0.011F;
   constexpr float even = 1.4F;
   constexpr float random = 1.8F; // or nearly so
   constexpr float noise = 5.2F;
+  constexpr float few_at_holes = 0.02F;
+  constexpr float many_at_holes = 0.08F;
+  constexpr float holes = 2.5F;
   const float gaps = std::clamp((evidence.spacing.irregularity - even) / (random - even), 0.0F, 1.0F);
   const float from_spacing = 10.0F * gaps * std::log(std::max(1.0F, evidence.spacing.sparse / usual_spacing));
-  return std::max(from_spacing, evidence.is_noisy ? noise : 0.0F);
+  const float from_holes =
+      holes * std::clamp((evidence.at_holes - few_at_holes) / (many_at_holes - few_at_holes), 0.0F, 1.0F);
+  return std::max({from_spacing, from_holes, evidence.is_noisy ? noise : 0.0F});
 }
 
 bool
@@ -107,12 +112,11 @@ mapConfidence(const MapEvidence& evidence)
   constexpr float largest_fixed = 0.3F; // with limbs in contact; more is for the score to judge
   const float fixed_beyond = std::clamp(evidence.score.fixed, usually_fixed, largest_fixed) - usually_fixed;
   // Involution, turn and score grow with the coarseness of the samples and with a pose: they normalise the rest.
-  return logistic(-35.6F - 9.3F * std::log(evidence.signs.stretch + little_stretch) -
-                  9.9F * std::log(evidence.distance + tiny) + 2.6F * std::log(evidence.signs.involution + tiny) +
-                  2.8F * std::log(evidence.turn + little_turn) + 4.4F * evidence.score.value -
-                  6.4F * std::min(evidence.score.curvature, largest_curvature) -
-                  7.9F * std::min(evidence.rough_curvature, largest_curvature) - 64.0F * fixed_beyond +
-                  evidenceFromCoarseness(evidence));
+  return logistic(
+      -35.6F - 9.3F * std::log(evidence.signs.stretch + little_stretch) - 9.9F * std::log(evidence.distance + tiny) +
+      2.6F * std::log(evidence.signs.involution + tiny) + 2.8F * std::log(evidence.turn + little_turn) +
+      4.4F * evidence.score.value - 6.4F * std::min(evidence.score.curvature, largest_curvature) -
+      7.9F * std::min(evidence.rough_curvature, largest_curvature) - 64.0F * fixed_beyond + evidenceFromGaps(evidence));
 }
 
 std::vector<float>

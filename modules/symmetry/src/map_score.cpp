@@ -64,16 +64,23 @@ reversedShare(const HubSurface& hubs, const SampleMap& map)
   return total > 0.0 ? static_cast<float>(0.5 + 0.5 * reversed / total) : 0.5F;
 }
 
-/** Mean squared difference of curvature between partners, in units of its variance over the surface. */
+/** Mean squared difference of curvature between partners, in units of its variance over the surface. At a hole there is
+ * no telling how the surface goes on. */
 float
-curvatureError(const ShapeDescriptor& descriptor, const SampleMap& map)
+curvatureError(const HubSurface& hubs, const ShapeDescriptor& descriptor, const SampleMap& map)
 {
+  const std::vector<char> comparable = comparableHubs(hubs, map);
   const float variance = descriptor.curvature.squaredNorm() / static_cast<float>(descriptor.curvature.rows());
   double sum = 0.0;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < map.size(); ++i) {
+    if (comparable[i] == 0) {
+      continue;
+    }
+    ++count;
     sum += (descriptor.curvature.row(static_cast<Eigen::Index>(i)) - descriptor.curvature.row(map[i])).squaredNorm();
   }
-  return variance > 0.0F ? static_cast<float>(sum / static_cast<double>(map.size())) / variance : 0.0F;
+  return variance > 0.0F ? static_cast<float>(sum / static_cast<double>(count)) / variance : 0.0F;
 }
 
 /** All measures but the value. */
@@ -108,7 +115,7 @@ measureMap(const HubSurface& hubs,
   std::nth_element(ways.begin(), nearest, ways.end());
   score.nearest_image = *nearest;
   score.reversal = reversedShare(hubs, map);
-  score.curvature = curvatureError(descriptor, map);
+  score.curvature = curvatureError(hubs, descriptor, map);
   return score;
 }
 

@@ -71,13 +71,25 @@ PatchAlignment::fits(const std::vector<Index>& partners, unsigned threads) const
 std::vector<OrientedMatch>
 PatchAlignment::matchesOf(const SurfacePatch& patch, const std::vector<Index>& partners) const
 {
-  constexpr std::size_t most = 60; // determines a rigid motion well enough
+  constexpr std::size_t most = 60;     // determines a rigid motion well enough
+  constexpr std::size_t fewest = 8;    // does so hardly
+  constexpr float least_weight = 0.4F; // share
+  // Partners at a hole may stand for any that are missing.
   std::vector<OrientedMatch> matches;
-  matches.reserve(most);
-  for (std::size_t k = 0; k < std::min(most, patch.size()); ++k) {
-    const Index sample = patch[k].sample;
-    matches.push_back({coarse_.points[sample], coarse_.normals[sample], surface_.points[partners[sample]],
-                       surface_.normals[partners[sample]], patch[k].weight});
+  std::vector<OrientedMatch> at_holes;
+  float weight = 0.0F;
+  float weight_at_holes = 0.0F;
+  for (std::size_t k = 0; k < patch.size() && matches.size() < most; ++k) {
+    const auto [sample, share] = patch[k];
+    const Index partner = partners[sample];
+    const bool is_at_hole = coarse_.at_hole[coarse_.cells.owner[partner]] != 0;
+    (is_at_hole ? at_holes : matches)
+        .push_back({coarse_.points[sample], coarse_.normals[sample], surface_.points[partner],
+                    surface_.normals[partner], share});
+    (is_at_hole ? weight_at_holes : weight) += share;
+  }
+  if (matches.size() < fewest || weight < least_weight * (weight + weight_at_holes)) {
+    matches.insert(matches.end(), at_holes.begin(), at_holes.end());
   }
   return matches;
 }

@@ -132,6 +132,8 @@ public:
         probes_(thinnedMembers(members_, settings.refinement.probes)),
         spacing_(surface.is_cloud ? measureSpacing(surface.graph, model.coarse.cells.vertices, model.hubs.diameter)
                                   : PointSpacing{}),
+        share_at_holes_(static_cast<float>(std::count(model.coarse.at_hole.begin(), model.coarse.at_hole.end(), 1)) /
+                        static_cast<float>(model.coarse.size())),
         descriptor_(describeShape(model.coarse, model.basis, settings.search.dimensions, settings.search.descriptor)),
         refinement_(surface,
                     model.coarse,
@@ -166,7 +168,7 @@ public:
   {
     return mapConfidence({samples.score, candidate.score.curvature,
                           findAsymmetry(model_.hubs, descriptor_.curvature, samples.hub_map), samples.usual_distance,
-                          samples.fit.turn, surface_.summary.smoothing_radius > 0.0F, spacing_});
+                          samples.fit.turn, surface_.summary.smoothing_radius > 0.0F, share_at_holes_, spacing_});
   }
 
   /** Carries a map of the samples over to all points: partners, sides, confidences, sparse matches, limbs.
@@ -222,6 +224,7 @@ private:
   CellMembers members_;
   CellMembers probes_;   ///< some of them
   PointSpacing spacing_; ///< of a cloud
+  float share_at_holes_; ///< of the samples
   ShapeDescriptor descriptor_;
   SampleRefinement refinement_;
 };

@@ -1,0 +1,25 @@
+/** \file
+ * \brief The cells of a coarse surface along holes: what should lie opposite them may be missing.
+ */
+#pragma once
+
+#include "symmetry/coarse_surface.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Marks the cells that holes reach into.
+ *
+ * A hole is a connected rim that is at least two cells long, of a cloud five, smaller ones are cracks, and at most a
+ * third of the surface, larger ones are the border of an open surface. A point of a mesh lies on a rim where its
+ * triangles do not close around it; one of a cloud, where its neighbours leave out almost half of the directions in its
+ * tangent plane, or next to such a point, where they leave out a third: edges are tracked in this way in images (J.
+ * Canny, 1986). \param[in] coarse its cells, points and graph \return one entry per cell, not 0: at a hole. Cost O(n)
+ */
+std::vector<char>
+cellsAtHoles(const PreparedSurface& surface, const CoarseSurface& coarse);
+
+} // namespace symmetry
+} // namespace pcl
