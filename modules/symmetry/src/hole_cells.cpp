@@ -108,9 +108,12 @@ cellsAtHoles(const PreparedSurface& surface, const CoarseSurface& coarse)
   constexpr float mesh_crack = 2.0F;  // cells
   constexpr float cloud_crack = 5.0F; // where parts touch, edges are left out, and rims appear
   constexpr float whole_side = 0.3F;  // of the longest side of the surface
+  std::vector<char> at_hole(coarse.size(), 0);
+  if (surface.summary.smoothing_radius > 0.0F) {
+    return at_hole; // what smoothing leaves of noise has rims all over
+  }
   std::vector<Place> places = surface.is_cloud ? placesInCloud(surface) : placesOnMesh(surface);
   const float least = (surface.is_cloud ? cloud_crack : mesh_crack) * sampleSpacing(coarse);
-  std::vector<char> at_hole(coarse.size(), 0);
   for (std::size_t v = 0; v < places.size(); ++v) {
     if (places[v] != Place::OnRim) {
       continue;
