@@ -16,8 +16,11 @@ namespace symmetry {
  * third of the surface, larger ones are the border of an open surface. A point of a mesh lies on a rim where its
  * triangles do not close around it; one of a cloud, where its neighbours leave out almost half of the directions in its
  * tangent plane, or next to such a point, where they leave out a third: edges are tracked in this way in images (J.
- * Canny, 1986). \param[in] coarse its cells, points and graph \return one entry per cell, not 0: at a hole. Cost O(n)
- */
+ * Canny, 1986). None are looked for in a cloud that had to be smoothed. Cost O(n).
+ *
+ * \param[in] coarse its cells, points and graph
+ *
+ * \return one entry per cell, not 0: at a hole */
 std::vector<char>
 cellsAtHoles(const PreparedSurface& surface, const CoarseSurface& coarse);
 
