@@ -12,11 +12,11 @@ namespace symmetry {
 
 /** \brief Marks the cells that holes reach into.
  *
- * A hole is a connected rim that is at least two cells long, of a cloud five, smaller ones are cracks, and at most a
- * third of the surface, larger ones are the border of an open surface. A point of a mesh lies on a rim where its
- * triangles do not close around it; one of a cloud, where its neighbours leave out almost half of the directions in its
- * tangent plane, or next to such a point, where they leave out a third: edges are tracked in this way in images (J.
- * Canny, 1986). None are looked for in a cloud that had to be smoothed. Cost O(n).
+ * A hole is a connected rim that is at least two cells long, of a cloud five, smaller ones are cracks, and at most
+ * 0.3 of the longest side of the surface, larger ones are the border of an open surface. A point of a mesh lies on a
+ * rim where its triangles do not close around it; one of a cloud, where its neighbours leave out almost half of the
+ * directions in its tangent plane, or next to such a point, where they leave out a third: edges are tracked in this way
+ * in images (J. Canny, 1986). None are looked for in a cloud that had to be smoothed. Cost O(n).
  *
  * \param[in] coarse its cells, points and graph
  *

@@ -74,8 +74,8 @@ flatness(const std::vector<Vector3>& points, const NeighbourLists& lists, std::s
   return all > 0.0F ? std::sqrt(std::max(0.0F, solver.eigenvalues()(0)) / all) : 0.0F;
 }
 
-/** Whether a point is off the plane through its neighbours by more than these are. \param[in] mean_distance from them
- */
+/** Whether a point is off the plane through its neighbours by more than these are.
+ * \param[in] mean_distance from them */
 bool
 isOffPlane(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v, float mean_distance)
 {
