@@ -69,7 +69,10 @@ describeOptions()
       "jobs", po::value<int>()->default_value(1), "models at a time, 0: one per core")(
       "threads", po::value<int>(), "threads of each estimation, 0: one per core (default 0; 1 with several jobs)");
   po::options_description disturbance("Disturbance (points that are left are scored)");
-  disturbance.add_options()("drop", po::value<double>(), "drop this share of the points at random")(
+  disturbance.add_options()(
+      "cut-limb", po::value<std::string>(),
+      "cut off a limb, farthest (its end from its counterpart's) or other: what is left should be "
+      "refused, and is not scored")("drop", po::value<double>(), "drop this share of the points at random")(
       "holes", po::value<int>(), "cut this many holes")("hole-share", po::value<double>(),
                                                         "share of the points in all holes (default 0.2)")(
       "thin", po::value<double>(), "drop points in a random direction down to 1/this of the density")(
@@ -197,6 +200,8 @@ checkCombination(const Options& options)
   if (options.graph && (options.run.as_cloud || !options.csv.empty() || !options.json.empty() ||
                         !options.plot.empty() || !options.map_folder.empty()))
     throw UsageError("--graph finds no maps: it goes with neither --as-cloud nor an output file");
+  if (options.graph && options.run.cut_limb)
+    throw UsageError("--graph needs whole models: it does not go with --cut-limb");
 }
 
 Options
@@ -212,6 +217,9 @@ takeOptions(const po::variables_map& arguments)
   options.graph = arguments.count("graph") > 0;
   options.run.as_cloud = arguments.count("as-cloud") > 0;
   options.run.disturbance = takeDisturbance(arguments);
+  if (arguments.count("cut-limb") > 0)
+    options.run.cut_limb =
+        takeChoice<Limb>(arguments, "cut-limb", {{"farthest", Limb::Farthest}, {"other", Limb::Other}});
   checkRunOptions(options.run);
   take(arguments, "map-dir", options.map_folder);
   take(arguments, "csv", options.csv);
@@ -296,6 +304,23 @@ runGraphs(const Options& options)
                                                                                                          : exit_done;
 }
 
+void
+printResults(const Options& options, const std::vector<ModelRun>& runs)
+{
+  if (options.run.cut_limb) {
+    std::cout << '\n';
+    printRefusals(std::cout, runs);
+    return;
+  }
+  const std::vector<GroupSummary> classes = summariseClasses(runs);
+  if (classes.empty())
+    return;
+  std::cout << '\n';
+  printSummaries(std::cout, classes, summariseSets(classes));
+  std::cout << '\n';
+  printConfidence(std::cout, runs);
+}
+
 int
 runDataSets(const Options& options)
 {
@@ -310,13 +335,7 @@ runDataSets(const Options& options)
     printModel(std::cout, run, options.verbose);
     std::cout.flush();
   });
-  const std::vector<GroupSummary> classes = summariseClasses(runs);
-  if (!classes.empty()) {
-    std::cout << '\n';
-    printSummaries(std::cout, classes, summariseSets(classes));
-    std::cout << '\n';
-    printConfidence(std::cout, runs);
-  }
+  printResults(options, runs);
   const auto failed = [](const ModelRun& run) {
     return !run.failure.empty();
   };

@@ -31,6 +31,10 @@ printSummaries(std::ostream& out, const std::vector<GroupSummary>& classes, cons
 void
 printConfidence(std::ostream& out, const std::vector<ModelRun>& runs);
 
+/** \brief Writes one line per set: how many of its models ended as no symmetry, and the confidence of the rest. */
+void
+printRefusals(std::ostream& out, const std::vector<ModelRun>& runs);
+
 /** \brief Writes the score of one map. */
 void
 printScore(std::ostream& out, const MapScore& score);

@@ -5,6 +5,7 @@
 
 #include "benchmark/data_set.h"
 #include "benchmark/disturbance.h"
+#include "benchmark/limb_cut.h"
 #include "benchmark/metrics.h"
 
 #include <pcl/symmetry/symmetry_parameters.h>
@@ -25,6 +26,8 @@ struct RunOptions {
   /** The map is scored on the undisturbed mesh, at the points that were not dropped; where holes were cut, at those
    * whose true partner is left as well. */
   Disturbance disturbance;
+  /** Is cut off first, and the stump closed but for a cloud. What is left has no symmetry that could be scored. */
+  std::optional<Limb> cut_limb;
 };
 
 /** \brief What came out for one model. Points are those of the model's file. */
@@ -42,7 +45,8 @@ struct ModelRun {
   MapSummary map;
   std::vector<std::pair<std::string, double>> seconds; ///< per step of the estimation
 
-  std::optional<MapScore> score; ///< of the map as delivered, whatever the status; nothing without ground truth
+  std::optional<MapScore> score; ///< of the map as delivered, whatever the status; nothing without ground
+                                 ///< truth or after a limb was cut off
 
   /** \brief Correspondence Rate; 0 after a failure or without ground truth. */
   double

@@ -5,6 +5,7 @@
 
 #include "symmetry/map_asymmetry.h"
 #include "symmetry/map_score.h"
+#include "symmetry/patch_alignment.h"
 #include "symmetry/sample_interpolation.h"
 
 #include <vector>
@@ -52,26 +53,27 @@ struct MapEvidence {
   MapScore score;               ///< of the refined map
   float rough_curvature = 0.0F; ///< MapScore::curvature before: refinement lays curved places on each other if it can
   AsymmetrySigns signs;
-  float distance = 0.0F; ///< of the patches from their images, share of the diameter: SampleEstimate::usual_distance
-  float turn = 0.0F;     ///< of their normals: mean PatchFit::turn
-  bool is_noisy = false; ///< the surface is that of a cloud which had to be smoothed: part of the misfit is noise
-  float at_holes = 0.0F; ///< share of the samples into whose cells holes reach
-  PointSpacing spacing;  ///< of a cloud; the faces of a mesh tell what is between its points
+  PatchFit fit{0.0F, 0.0F};    ///< of the patches and their images, the mean
+  float worst_distance = 0.0F; ///< of the worst of them: SampleEstimate::worst_distance
+  bool is_noisy = false;       ///< the surface is that of a cloud which had to be smoothed: part of the misfit is noise
+  float at_holes = 0.0F;       ///< share of the samples into whose cells holes reach
+  PointSpacing spacing;        ///< of a cloud; the faces of a mesh tell what is between its points
 };
 
 /** \brief Confidence of a whole map in [0, 1]: how likely it is a right map of a symmetric surface.
  *
- * A logistic function of the usual misfit of the patches, of the stretch at the worst places relative to the distortion
- * of the whole (an odd limb stretches its surroundings only; a pose or coarse samples, everything), of the curvature,
- * and of what stands still beyond a head, a tail and a seam: an odd limb is mirrored in itself. Noise, few points, or
- * holes explain part of all that. Its weights were fitted to right and wrong maps of scans and of generated bodies,
- * symmetric and not, as meshes, clouds, and noisy, sparse and uneven clouds.
+ * A logistic function of the stretch and the misfit of patches at the worst places relative to how far the whole is
+ * from isometric (where an odd limb was or should be, its surroundings are stretched and do not fit; a pose or coarse
+ * samples bend and stretch everything), of the curvature, and of what stands still beyond a head, a tail and a seam: an
+ * odd limb is mirrored in itself. Noise, few points, or holes explain part of all that. Its weights were fitted to
+ * right and wrong maps of scanned and of generated bodies, whole and with a limb cut off, as meshes, clouds, clouds
+ * that are noisy, sparse and uneven, and with holes; a right map refused was counted like two wrong ones delivered.
  */
 float
 mapConfidence(const MapEvidence& evidence);
 
 /** \brief A reflection of lower confidence is none: one side has what the other lacks. */
-constexpr float least_map_confidence = 0.12F;
+constexpr float least_map_confidence = 0.31F;
 
 /** \brief Share of the confidence that is left to a map that is not handed out: what spoke against it counts as well.
  */

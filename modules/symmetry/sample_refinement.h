@@ -38,16 +38,11 @@ struct SampleEstimate {
   SampleMap map;               ///< sample in whose cell the partner of each sample lies
   std::vector<Index> partners; ///< point that is the partner of each sample
   PatchFit fit{0.0F, 0.0F};    ///< how well the smallest patches fit their images: the mean
-  float usual_distance = 0.0F; ///< PatchFit::distance of the smallest patches: usualDistance ()
+  float worst_distance = 0.0F; ///< PatchFit::distance that 98 % of the smallest patches do not reach
   SampleMap hub_map;           ///< the same map among the hubs
   MapScore score;              ///< of that
   float value = 0.0F;          ///< of the score and the fit together, the lower the better
 };
-
-/** \brief Geometric mean of the distances of patches (each plus 0.001, which is taken off the mean again): a few that
- * fit badly change it less than the mean. 0 without patches. */
-float
-usualDistance(const std::vector<PatchFit>& fits);
 
 /** \brief Refines candidates; what it needs to do so is prepared once. */
 class SampleRefinement {

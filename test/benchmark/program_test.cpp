@@ -125,6 +125,18 @@ TEST_F(BenchmarkProgramTest, ComparesGraphs)
   EXPECT_NE(failed.output.find("MADE/broken  failed: "), std::string::npos) << failed.output;
 }
 
+TEST_F(BenchmarkProgramTest, CountsTheBodiesThatAreRefusedWithoutALimb)
+{
+  const ProgramRun run = runBenchmark({writeHuman(), "--cut-limb", "farthest"});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  EXPECT_NE(run.output.find("no_symmetry"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("refused  conf. < 0.5"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("\nMADE "), std::string::npos) << run.output;
+  EXPECT_EQ(run.output.find("mean of classes"), std::string::npos) << "there is nothing to score";
+  EXPECT_EQ(runBenchmark({writeHuman(), "--cut-limb", "third"}).exit_status, 2);
+  EXPECT_EQ(runBenchmark({writeHuman(), "--cut-limb", "other", "--graph"}).exit_status, 2);
+}
+
 TEST_F(BenchmarkProgramTest, AModelThatFailsIsReportedAndEndsWithOne)
 {
   write("sets/MADE/broken.off", "OFF\n3 1 0\n0 0 0\n");

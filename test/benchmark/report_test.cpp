@@ -34,6 +34,32 @@ split(const std::string& text, char separator)
 
 class ReportTest : public test::TemporaryFolder {};
 
+TEST_F(ReportTest, RefusalsAreCountedPerSet)
+{
+  std::vector<ModelRun> runs{test::makeUnscoredRun("A", "x"), test::makeUnscoredRun("A", "x"),
+                             test::makeUnscoredRun("A", "x"), test::makeUnscoredRun("B", "x"),
+                             test::makeFailedRun("B", "x", "a")};
+  for (ModelRun& run : runs)
+    run.status = SymmetryStatus::Symmetric;
+  runs[0].status = SymmetryStatus::NoSymmetry;
+  runs[1].confidence = 0.4F;
+  runs[2].confidence = 0.5F;
+  runs[3].status = SymmetryStatus::NoSymmetry;
+  std::ostringstream out;
+  printRefusals(out, runs);
+  std::vector<std::string> lines = split(out.str(), '\n');
+  ASSERT_EQ(lines.size(), 3U);
+  const auto figures = [](const std::string& line) {
+    std::istringstream stream(line.substr(1));
+    std::vector<int> numbers;
+    for (int number = 0; stream >> number;)
+      numbers.push_back(number);
+    return numbers;
+  };
+  EXPECT_EQ(figures(lines[1]), (std::vector<int>{3, 1, 1, 1}));
+  EXPECT_EQ(figures(lines[2]), (std::vector<int>{1, 1, 0, 0})) << "a failure is no answer";
+}
+
 TEST_F(ReportTest, JsonHoldsModelsGroupsCurvesAndConfidence)
 {
   RunOptions options;

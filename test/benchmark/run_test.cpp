@@ -1,5 +1,6 @@
 #include "benchmark/run.h"
 #include "benchmark/temporary_folder.h"
+#include "model/articulated_body.h"
 #include "model/write_model.h"
 #include "support/shapes.h"
 
@@ -118,6 +119,28 @@ TEST_F(RunTest, WhereHolesWereCutOnlyPairsThatAreLeftAreScored)
     expected += is_left(pair.vertex) && is_left(pair.partner) ? 1 : 0;
   EXPECT_EQ(run.score->errors.size(), expected);
   EXPECT_GT(expected, 40U);
+}
+
+TEST_F(RunTest, WithoutALimbThereIsNothingToScore)
+{
+  ModelParameters parameters;
+  parameters.vertices = 1500;
+  const Model human = makeModel(parameters);
+  std::string truth;
+  for (const Index partner : human.partners)
+    truth += std::to_string(partner + 1) + "\n";
+  write("Human/human_sym.txt", truth); // makes the folder
+  writePlainSurface(path("Human/human.off"), human.surface);
+  const std::vector<BenchmarkModel> models = findModels(path("Human"));
+  ASSERT_EQ(models.size(), 1U);
+  options_.cut_limb = Limb::Farthest;
+  for (const bool as_cloud : {false, true}) {
+    options_.as_cloud = as_cloud;
+    const ModelRun run = runModel(models[0], options_);
+    EXPECT_EQ(run.failure, "");
+    EXPECT_FALSE(run.score);
+    EXPECT_EQ(run.partners.size(), human.surface.size());
+  }
 }
 
 TEST_F(RunTest, AModelWithoutTruthIsRunButNotScored)

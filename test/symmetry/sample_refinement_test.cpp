@@ -63,17 +63,4 @@ TEST(SampleRefinement, LeadsFromARoughMapToTheTruePartners)
   EXPECT_LT(found.value, refine(nobody_moves, 1).value);
 }
 
-TEST(UsualDistance, IsTheGeometricMeanThatABadPatchHardlyChanges)
-{
-  EXPECT_EQ(usualDistance({}), 0.0F);
-  const std::vector<PatchFit> pair{{0.003F, 1.0F}, {0.015F, 0.0F}}; // plus 0.001: 0.004 and 0.016
-  EXPECT_NEAR(usualDistance(pair), 0.008F - 0.001F, 1e-6F);
-
-  std::vector<PatchFit> fits(99, PatchFit{0.002F, 0.0F});
-  EXPECT_NEAR(usualDistance(fits), 0.002F, 1e-6F);
-  fits.push_back({0.2F, 0.0F}); // doubles the mean
-  EXPECT_GT(usualDistance(fits), 0.002F);
-  EXPECT_LT(usualDistance(fits), 0.0022F);
-}
-
 } // namespace

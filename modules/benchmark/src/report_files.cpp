@@ -135,6 +135,8 @@ describeOptions(const RunOptions& options)
   object["quantise"] = options.disturbance.quantise;
   object["repeat"] = options.disturbance.repeat;
   object["seed"] = options.disturbance.seed;
+  if (options.cut_limb)
+    object["cut_limb"] = *options.cut_limb == Limb::Farthest ? "farthest" : "other";
   object["k_search"] = parameters.k_search;
   object["landmarks"] = parameters.landmarks;
   object["samples"] = parameters.samples;

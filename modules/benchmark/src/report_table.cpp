@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <ostream>
 #include <string>
 
@@ -135,6 +136,32 @@ printConfidence(std::ostream& out, const std::vector<ModelRun>& runs)
     out << (point.coverage == curve.front().coverage ? " " : ", ") << percent(point.accuracy, 0) << " % of the best "
         << number(100.0 * point.coverage, 0, 0) << " %";
   out << '\n';
+}
+
+void
+printRefusals(std::ostream& out, const std::vector<ModelRun>& runs)
+{
+  constexpr float doubtful = 0.5F;
+  struct Counts {
+    std::size_t models = 0;
+    std::size_t refused = 0;
+    std::size_t doubted = 0;
+  };
+  std::map<std::string, Counts> sets;
+  for (const ModelRun& run : runs) {
+    if (!run.failure.empty())
+      continue;
+    Counts& counts = sets[run.model.set];
+    ++counts.models;
+    counts.refused += run.status == SymmetryStatus::NoSymmetry ? 1 : 0;
+    counts.doubted += run.status == SymmetryStatus::Symmetric && run.confidence < doubtful ? 1 : 0;
+  }
+  out << left("set", name_width) << right("models", 7) << right("refused", 9) << right("conf. < 0.5", 13)
+      << right("more", 6) << '\n';
+  for (const auto& [set, counts] : sets)
+    out << left(set, name_width) << right(std::to_string(counts.models), 7) << right(std::to_string(counts.refused), 9)
+        << right(std::to_string(counts.doubted), 13)
+        << right(std::to_string(counts.models - counts.refused - counts.doubted), 6) << '\n';
 }
 
 void

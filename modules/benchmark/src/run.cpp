@@ -50,6 +50,20 @@ selectTruth(const GroundTruth& truth, const std::vector<Index>& origins, std::si
   return selected;
 }
 
+/** The mesh as it is given to the estimation. */
+DisturbedSurface
+prepareInput(const Surface& mesh, const GroundTruth& truth, const RunOptions& options)
+{
+  if (!options.cut_limb)
+    return disturb(mesh, options.disturbance);
+  const DisturbedSurface rest = cutLimb(mesh, truth, *options.cut_limb, options.as_cloud ? Stump::Open : Stump::Closed);
+  DisturbedSurface input = disturb(rest.surface, options.disturbance);
+  for (Index& origin : input.origins)
+    if (origin != no_index)
+      origin = rest.origins[static_cast<std::size_t>(origin)];
+  return input;
+}
+
 void
 runAndScore(ModelRun& run, const RunOptions& options)
 {
@@ -62,11 +76,11 @@ runAndScore(ModelRun& run, const RunOptions& options)
     checkGroundTruth(truth, mesh.size(), run.model.truth);
   }
 
-  DisturbedSurface input = disturb(mesh, options.disturbance);
+  DisturbedSurface input = prepareInput(mesh, truth, options);
   if (options.as_cloud)
     input.surface.triangles.clear();
   takeResult(run, estimateIntrinsicSymmetry(input.surface, options.parameters), input.origins);
-  if (!truth.empty()) {
+  if (!truth.empty() && !options.cut_limb) {
     const GroundTruth asked = selectTruth(truth, input.origins, mesh.size(), options.disturbance.holes > 0);
     run.score = scoreMap(mesh, asked, run.partners, options.parameters.threads);
   }

@@ -9,7 +9,7 @@ namespace {
 bool
 isScored(const ModelRun& run)
 {
-  return !run.model.truth.empty();
+  return run.score || (!run.model.truth.empty() && !run.failure.empty());
 }
 
 double

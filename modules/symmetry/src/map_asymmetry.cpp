@@ -86,7 +86,21 @@ stretchAround(const HubSurface& hubs, const SampleMap& map)
   return stretch;
 }
 
-/** The same of the curvature, in units of its variance. */
+/** By how much the average distance from every hub that can be compared differs at its image, share of the diameter. */
+std::vector<float>
+centralityChanges(const HubSurface& hubs, const SampleMap& map)
+{
+  const std::vector<char> comparable = comparableHubs(hubs, map);
+  std::vector<float> changes;
+  for (std::size_t i = 0; i < hubs.size(); ++i) {
+    if (comparable[i] != 0) {
+      changes.push_back(std::abs(hubs.centrality[i] - hubs.centrality[map[i]]) / hubs.diameter);
+    }
+  }
+  return changes;
+}
+
+/** The same as stretchAround () of the curvature, in units of its variance. */
 std::vector<float>
 curvatureChangeAround(const HubSurface& hubs, const Eigen::MatrixXf& curvature, const SampleMap& map)
 {
@@ -125,11 +139,13 @@ AsymmetrySigns
 findAsymmetry(const HubSurface& hubs, const Eigen::MatrixXf& curvature, const SampleMap& map)
 {
   constexpr int rounds = 3;
+  constexpr double most = 0.97;
   AsymmetrySigns signs;
   const std::vector<float> torn = stretchAtHubs(hubs, map);
   signs.concentration = (quantile(torn, 0.99) + tiny) / (quantile(torn, 0.5) + tiny);
   const SampleMap relaxed = settledMap(hubs, relaxedMap(hubs, map), rounds);
-  signs.stretch = quantile(stretchAround(hubs, relaxed), 0.97);
+  signs.stretch = quantile(stretchAround(hubs, relaxed), most);
+  signs.centrality = quantile(centralityChanges(hubs, map), most);
   signs.involution = meanReturnError(hubs, relaxed);
   signs.curvature = quantile(curvatureChangeAround(hubs, curvature, map), 0.5);
   return signs;

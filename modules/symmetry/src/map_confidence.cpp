@@ -25,15 +25,12 @@ evidenceFromGaps(const MapEvidence& evidence)
   constexpr float usual_spacing = 0.011F;
   constexpr float even = 1.4F;
   constexpr float random = 1.8F; // or nearly so
-  constexpr float noise = 5.2F;
   constexpr float few_at_holes = 0.02F;
   constexpr float many_at_holes = 0.08F;
-  constexpr float holes = 2.5F;
   const float gaps = std::clamp((evidence.spacing.irregularity - even) / (random - even), 0.0F, 1.0F);
-  const float from_spacing = 10.0F * gaps * std::log(std::max(1.0F, evidence.spacing.sparse / usual_spacing));
-  const float from_holes =
-      holes * std::clamp((evidence.at_holes - few_at_holes) / (many_at_holes - few_at_holes), 0.0F, 1.0F);
-  return std::max({from_spacing, from_holes, evidence.is_noisy ? noise : 0.0F});
+  const float holes = std::clamp((evidence.at_holes - few_at_holes) / (many_at_holes - few_at_holes), 0.0F, 1.0F);
+  return 1.2F * gaps * std::log(std::max(1.0F, evidence.spacing.sparse / usual_spacing)) + holes +
+         (evidence.is_noisy ? 0.7F : 0.0F);
 }
 
 bool
@@ -105,18 +102,21 @@ float
 mapConfidence(const MapEvidence& evidence)
 {
   constexpr float tiny = 1e-3F;
+  constexpr float little_distance = 4e-3F;
+  constexpr float little_change = 4e-3F;
   constexpr float little_stretch = 0.01F;
   constexpr float little_turn = 0.005F;
   constexpr float largest_curvature = 1.5F;
-  constexpr float usually_fixed = 0.2F; // the head, tail and seam of an animal
-  constexpr float largest_fixed = 0.3F; // with limbs in contact; more is for the score to judge
+  constexpr float usually_fixed = 0.2F;  // the head, tail and seam of an animal
+  constexpr float largest_fixed = 0.35F; // with limbs in contact
   const float fixed_beyond = std::clamp(evidence.score.fixed, usually_fixed, largest_fixed) - usually_fixed;
-  // Involution, turn and score grow with the coarseness of the samples and with a pose: they normalise the rest.
+  // Involution, turn and centrality grow with the coarseness of the samples and with a pose: they normalise the rest.
   return logistic(
-      -35.6F - 9.3F * std::log(evidence.signs.stretch + little_stretch) - 9.9F * std::log(evidence.distance + tiny) +
-      2.6F * std::log(evidence.signs.involution + tiny) + 2.8F * std::log(evidence.turn + little_turn) +
-      4.4F * evidence.score.value - 6.4F * std::min(evidence.score.curvature, largest_curvature) -
-      7.9F * std::min(evidence.rough_curvature, largest_curvature) - 64.0F * fixed_beyond + evidenceFromGaps(evidence));
+      -10.3F - 3.2F * std::log(evidence.signs.stretch + little_stretch) -
+      1.5F * std::log(evidence.worst_distance + little_distance) - 3.0F * std::log(evidence.fit.distance + tiny) +
+      1.3F * std::log(evidence.fit.turn + little_turn) + 1.3F * std::log(evidence.signs.centrality + little_change) +
+      1.5F * std::log(evidence.signs.involution + tiny) - 2.0F * std::min(evidence.rough_curvature, largest_curvature) -
+      25.6F * fixed_beyond + evidenceFromGaps(evidence));
 }
 
 std::vector<float>

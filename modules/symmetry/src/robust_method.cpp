@@ -167,8 +167,8 @@ public:
   confidenceOf(const SymmetryCandidate& candidate, const SampleEstimate& samples) const
   {
     return mapConfidence({samples.score, candidate.score.curvature,
-                          findAsymmetry(model_.hubs, descriptor_.curvature, samples.hub_map), samples.usual_distance,
-                          samples.fit.turn, surface_.summary.smoothing_radius > 0.0F, share_at_holes_, spacing_});
+                          findAsymmetry(model_.hubs, descriptor_.curvature, samples.hub_map), samples.fit,
+                          samples.worst_distance, surface_.summary.smoothing_radius > 0.0F, share_at_holes_, spacing_});
   }
 
   /** Carries a map of the samples over to all points: partners, sides, confidences, sparse matches, limbs.
@@ -283,14 +283,10 @@ estimateRobust(const PreparedSurface& surface,
   const Contender best = estimation.bestContender(candidates);
   const float confidence = estimation.confidenceOf(*best.candidate, best.samples);
   estimate.confidence = confidence_of_refused * confidence;
-  // The scores count what is not isometric, and that a body in contact with itself is not; the fit of its patches may
-  // speak for it all the same.
-  constexpr float convincing = 0.5F;
-  if (confidence < convincing && !isReflection(best.samples.score) && !isReflection(best.candidate->score)) {
-    return estimate;
-  }
   if (confidence < least_map_confidence) {
-    estimate.message = "the best reflection of the surface fails in one place: one side has what the other lacks";
+    if (isReflection(best.samples.score) || isReflection(best.candidate->score)) {
+      estimate.message = "the best reflection of the surface fails in one place: one side has what the other lacks";
+    }
     return estimate;
   }
   estimate.status = SymmetryStatus::Symmetric;

@@ -1,7 +1,9 @@
 #include "symmetry/sample_refinement.h"
 
+#include "geodesic/median.h"
 #include "symmetry/part_turns.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -39,6 +41,15 @@ meanOf(const std::vector<PatchFit>& fits)
   return mean;
 }
 
+float
+worstDistance(const std::vector<PatchFit>& fits)
+{
+  constexpr double most = 0.98;
+  std::vector<float> distances(fits.size());
+  std::transform(fits.begin(), fits.end(), distances.begin(), [](const PatchFit& fit) { return fit.distance; });
+  return quantile(std::move(distances), most);
+}
+
 /** Logarithm of the misfit of the patches. Normals tell more than distances: on a smooth body a wrong patch lies close
  * as well, but does not face the right way. */
 float
@@ -50,17 +61,6 @@ logMisfit(const PatchFit& fit)
 }
 
 } // namespace
-
-float
-usualDistance(const std::vector<PatchFit>& fits)
-{
-  constexpr float tiny = 1e-3F; // of the diameter: better fits are alike
-  double sum = 0.0;
-  for (const PatchFit& fit : fits) {
-    sum += std::log(fit.distance + tiny);
-  }
-  return fits.empty() ? 0.0F : static_cast<float>(std::exp(sum / static_cast<double>(fits.size()))) - tiny;
-}
 
 SampleRefinement::SampleRefinement(const PreparedSurface& surface,
                                    const CoarseSurface& coarse,
@@ -133,7 +133,7 @@ SampleRefinement::refine(const SymmetryCandidate& candidate) const
   if (!alignments_.empty()) {
     const std::vector<PatchFit> fits = alignments_.back().fits(partners, threads_);
     estimate.fit = meanOf(fits);
-    estimate.usual_distance = usualDistance(fits);
+    estimate.worst_distance = worstDistance(fits);
     estimate.value += settings_.fit * logMisfit(estimate.fit);
   }
   return estimate;
