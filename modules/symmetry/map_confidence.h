@@ -73,7 +73,7 @@ float
 mapConfidence(const MapEvidence& evidence);
 
 /** \brief A reflection of lower confidence is none: one side has what the other lacks. */
-constexpr float least_map_confidence = 0.31F;
+constexpr float least_map_confidence = 0.35F;
 
 /** \brief Share of the confidence that is left to a map that is not handed out: what spoke against it counts as well.
  */

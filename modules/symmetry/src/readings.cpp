@@ -174,7 +174,7 @@ RivalReadings::best() const
 Reading
 RivalReadings::takeBest()
 {
-  constexpr float least_confidence = 0.17F;
+  constexpr float least_confidence = 0.15F;
   Rival& best = rivals_[bestRival()];
   MapEstimate& estimate = best.reading.estimate;
   if (estimate.status == SymmetryStatus::Symmetric && readings_ > 1) {
