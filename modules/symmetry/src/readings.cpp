@@ -174,8 +174,10 @@ RivalReadings::best() const
 Reading
 RivalReadings::takeBest()
 {
-  constexpr float least_confidence = 0.15F;
+  constexpr float least_in_noise = 0.15F;
+  constexpr float least_without = 0.3F;
   Rival& best = rivals_[bestRival()];
+  const float least_confidence = best.reading.surface.summary.smoothing_radius > 0.0F ? least_in_noise : least_without;
   MapEstimate& estimate = best.reading.estimate;
   if (estimate.status == SymmetryStatus::Symmetric && readings_ > 1) {
     const float agreement = best.evidence / static_cast<float>(readings_);
