@@ -135,6 +135,21 @@ TEST(RivalReadings, OneTryOutOfManyIsNoSymmetry)
   EXPECT_FALSE(best.estimate.message.empty());
 }
 
+TEST(RivalReadings, NoiseExcusesReadingsThatFindNothing)
+{
+  for (const float smoothing_radius : {0.0F, 0.1F}) {
+    RivalReadings rivals;
+    for (int i = 0; i < 3; ++i) {
+      rivals.add(readingOf(0, 0.01F, SymmetryStatus::NoSymmetry));
+    }
+    Reading found = readingOf(0, 0.4F); // 0.2 with the others
+    found.surface.summary.smoothing_radius = smoothing_radius;
+    rivals.add(std::move(found));
+    EXPECT_EQ(rivals.takeBest().estimate.status,
+              smoothing_radius > 0.0F ? SymmetryStatus::Symmetric : SymmetryStatus::NoSymmetry);
+  }
+}
+
 TEST(RivalReadings, PointsAreTrustedAsTheMapIs)
 {
   RivalReadings rivals;

@@ -175,7 +175,7 @@ Reading
 RivalReadings::takeBest()
 {
   constexpr float least_in_noise = 0.15F;
-  constexpr float least_without = 0.3F;
+  constexpr float least_without = 0.25F;
   Rival& best = rivals_[bestRival()];
   const float least_confidence = best.reading.surface.summary.smoothing_radius > 0.0F ? least_in_noise : least_without;
   MapEstimate& estimate = best.reading.estimate;
