@@ -31,7 +31,8 @@ public:
   void
   add(Reading reading);
 
-  /** \brief Whether the best reading is beyond doubt, or there is nothing to read. False where there is none. */
+  /** \brief Whether the best reading is beyond doubt, or most of those added are sure of its map together, or there is
+   * nothing to read. False where there is none. */
   bool
   isSettled() const;
 
@@ -62,7 +63,7 @@ private:
   std::size_t readings_ = 0; ///< added so far
 };
 
-/** \brief Reads a surface in one way after another until the result is beyond doubt.
+/** \brief Reads a surface in one way after another until the result is settled.
  *
  * A mesh is read once. A cloud leaves open which points touch and which are connected, and a noisy one also where the
  * surface is.

@@ -136,6 +136,7 @@ evidenceOfRightMap()
 {
   MapEvidence right;
   right.score.fixed = 0.16F;
+  right.score.distorted = 0.0F;
   right.rough_curvature = 0.3F;
   right.signs.stretch = 0.069F;
   right.signs.involution = 0.009F;
@@ -191,6 +192,35 @@ TEST(MapConfidence, FallsWithWhatStandsStillBeyondAHeadATailAndASeam)
   EXPECT_LT(at(0.25F), at(0.2F));
   EXPECT_LT(at(0.35F), at(0.25F));
   EXPECT_EQ(at(0.35F), at(0.6F));
+}
+
+TEST(MapConfidence, FallsWhereMuchOfTheSurfaceIsDistorted)
+{
+  MapEvidence evidence = evidenceOfRightMap();
+  const auto at = [&](float distorted) {
+    evidence.score.distorted = distorted;
+    return mapConfidence(evidence);
+  };
+  EXPECT_EQ(at(0.05F), at(0.0F));
+  EXPECT_LT(at(0.2F), at(0.05F));
+  EXPECT_LT(at(0.5F), at(0.2F));
+}
+
+/** A four-legged body in a sparse cloud, mapped front to back: what a pose explains must not excuse all of it. */
+TEST(MapConfidence, RefusesAMapFromHeadToTail)
+{
+  MapEvidence evidence;
+  evidence.score.distorted = 0.447F;
+  evidence.score.fixed = 0.018F;
+  evidence.rough_curvature = 0.6F;
+  evidence.signs.stretch = 0.238F;
+  evidence.signs.involution = 0.0746F;
+  evidence.signs.centrality = 0.0865F;
+  evidence.fit = {0.0186F, 0.2F};
+  evidence.worst_distance = 0.0649F;
+  evidence.at_holes = 0.206F;
+  evidence.spacing = {0.0126F, 1.72F};
+  EXPECT_LT(mapConfidence(evidence), least_map_confidence);
 }
 
 TEST(MapConfidence, DoubtsStretchInOnePlaceMoreThanStretchEverywhere)

@@ -69,6 +69,28 @@ TEST(RivalReadings, WhatOthersContradictTogetherIsNotSettled)
   EXPECT_FALSE(rivals.isSettled());
 }
 
+TEST(RivalReadings, ThreeThatAgreeSettleWhatNoneSettlesAlone)
+{
+  RivalReadings rivals;
+  rivals.add(readingOf(0, 0.7F));
+  rivals.add(readingOf(1, 0.7F));
+  EXPECT_FALSE(rivals.isSettled());
+  rivals.add(readingOf(2, 0.7F));
+  EXPECT_TRUE(rivals.isSettled());
+}
+
+TEST(RivalReadings, ThreeOutOfManySettleNothing)
+{
+  RivalReadings rivals;
+  for (Index i = 0; i < 3; ++i) {
+    rivals.add(readingOf(i, 0.01F, SymmetryStatus::NoSymmetry));
+  }
+  for (Index i = 0; i < 3; ++i) {
+    rivals.add(readingOf(i, 0.7F));
+  }
+  EXPECT_FALSE(rivals.isSettled());
+}
+
 TEST(RivalReadings, SymmetryIsBetterThanNone)
 {
   RivalReadings rivals;

@@ -107,8 +107,10 @@ mapConfidence(const MapEvidence& evidence)
   constexpr float little_stretch = 0.01F;
   constexpr float little_turn = 0.005F;
   constexpr float largest_curvature = 1.5F;
-  constexpr float usually_fixed = 0.2F;  // the head, tail and seam of an animal
-  constexpr float largest_fixed = 0.35F; // with limbs in contact
+  constexpr float usually_fixed = 0.2F;     // the head, tail and seam of an animal
+  constexpr float largest_fixed = 0.35F;    // with limbs in contact
+  constexpr float usually_distorted = 0.1F; // a bent limb, a part in contact
+  const float distorted_beyond = std::max(0.0F, evidence.score.distorted - usually_distorted);
   const float fixed_beyond = std::clamp(evidence.score.fixed, usually_fixed, largest_fixed) - usually_fixed;
   // Involution, turn and centrality grow with the coarseness of the samples and with a pose: they normalise the rest.
   return logistic(
@@ -116,7 +118,7 @@ mapConfidence(const MapEvidence& evidence)
       1.5F * std::log(evidence.worst_distance + little_distance) - 3.0F * std::log(evidence.fit.distance + tiny) +
       1.3F * std::log(evidence.fit.turn + little_turn) + 1.3F * std::log(evidence.signs.centrality + little_change) +
       1.5F * std::log(evidence.signs.involution + tiny) - 2.0F * std::min(evidence.rough_curvature, largest_curvature) -
-      25.6F * fixed_beyond + evidenceFromGaps(evidence));
+      25.6F * fixed_beyond - 10.0F * distorted_beyond + evidenceFromGaps(evidence));
 }
 
 std::vector<float>

@@ -69,7 +69,7 @@ contactTests(const PreparedSurface& surface, const SymmetryParameters& parameter
   const bool is_precise = surface.summary.smoothing_radius == 0.0F && surface.size() >= many_points;
   std::vector<ContactTest> tests;
   if (depths.empty() && is_precise) {
-    tests.push_back({0.9F, 6.0F, 0.7F});
+    tests.push_back({0.8F, 6.0F, 0.5F});
   }
   for (const float depth : depths.empty() ? std::vector<float>{0.0F} : depths) {
     tests.insert(tests.end(), {{0.5F, 3.0F, depth}, {0.8F, 4.0F, depth}, {0.95F, 8.0F, depth}});
@@ -89,7 +89,7 @@ public:
   {
   }
 
-  /** Reads the noise in one way and contacts in several, until the result is beyond doubt.
+  /** Reads the noise in one way and contacts in several, until the result is settled.
    * \param[in] depths see contactTests () */
   void
   read(NoiseReading noise, const std::vector<float>& depths = {})
@@ -152,6 +152,8 @@ bool
 RivalReadings::isSettled() const
 {
   constexpr float beyond_doubt = 0.9F;
+  constexpr float sure_together = 2.0F; // three readings that agree, each sure enough alone
+  constexpr float usually = 0.6F;
   if (rivals_.empty()) {
     return false;
   }
@@ -161,8 +163,10 @@ RivalReadings::isSettled() const
   for (std::size_t i = 0; i < rivals_.size(); ++i) {
     contradicting += i == best ? 0.0F : rivals_[i].evidence;
   }
-  return estimate.status == SymmetryStatus::TooFewPoints ||
-         (estimate.confidence >= beyond_doubt && rivals_[best].evidence > contradicting);
+  const float evidence = rivals_[best].evidence;
+  const bool is_usual = evidence >= sure_together && evidence >= usually * static_cast<float>(readings_);
+  return estimate.status == SymmetryStatus::TooFewPoints || is_usual ||
+         (estimate.confidence >= beyond_doubt && evidence > contradicting);
 }
 
 const Reading&
