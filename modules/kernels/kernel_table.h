@@ -96,7 +96,21 @@ struct KernelTable {
                                  const float* weights,
                                  std::size_t padded,
                                  float* distances);
+
+  /** \brief Moments of the points in a ball, or where a slab meets it, about its centre.
+   *
+   * A point at the offset x from the centre, in radii, has the weight (1 - |x|^2)^2 (1 - (x . normal)^2)^2, or none
+   * where either factor would be the square of a negative number. Each moment is added up in kernel_lanes interleaved
+   * sums, these by halves. \param[in] points the x, then the y, then the z of all, padded of each \param[in] padded a
+   * multiple of kernel_lanes \param[in] centre three coordinates \param[in] normal of the slab, over half its thickness
+   * in radii; 0: no slab \param[out] moments sums of the weights, of x, y, z, and of xx, xy, xz, yy, yz, zz, each times
+   * the weight */
+  void (*slab_moments)(
+      const float* points, std::size_t padded, const float* centre, float radius, const float* normal, float* moments);
 };
+
+/** \brief Number of moments that slab_moments gives. */
+constexpr std::size_t slab_moment_count = 10;
 
 } // namespace symmetry
 } // namespace pcl

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <string>
@@ -217,13 +218,13 @@ TEST_P(Kernels, TransposeATile)
   }
 }
 
-/** Sum of squares in the order of the definition. */
+/** Sum in the order of the definition. */
 float
-sumOfSquares(const std::vector<float>& differences)
+interleavedSum(const std::vector<float>& terms)
 {
   float sums[kernel_lanes] = {};
-  for (std::size_t i = 0; i < differences.size(); ++i) {
-    sums[i % kernel_lanes] += differences[i] * differences[i];
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    sums[i % kernel_lanes] += terms[i];
   }
   for (std::size_t half = kernel_lanes / 2; half > 0; half /= 2) {
     for (std::size_t i = 0; i < half; ++i) {
@@ -231,6 +232,15 @@ sumOfSquares(const std::vector<float>& differences)
     }
   }
   return sums[0];
+}
+
+float
+sumOfSquares(std::vector<float> differences)
+{
+  for (float& difference : differences) {
+    difference *= difference;
+  }
+  return interleavedSum(differences);
 }
 
 TEST_P(Kernels, AddUpWeightedDistancesInOneOrder)
@@ -259,6 +269,43 @@ TEST_P(Kernels, AddUpWeightedDistancesInOneOrder)
         EXPECT_EQ(to_boxes[c], c < asked ? sumOfSquares(outside) : -1.0F);
         EXPECT_LE(to_boxes[c], to_points[c]);
       }
+    }
+  }
+}
+
+TEST_P(Kernels, AddUpMomentsOfASlabInOneOrder)
+{
+  constexpr std::size_t padded = 48;
+  constexpr float radius = 0.7F; // some points are outside
+  const std::vector<float> points = randomNumbers(3 * padded, 1, -0.5F, 0.5F);
+  const std::vector<float> centre = randomNumbers(3, 2, -0.1F, 0.1F);
+  const auto biweight = [](float squared) {
+    return std::pow(std::max(1.0F - squared, 0.0F), 2.0F);
+  };
+  for (const std::vector<float>& normal : {std::vector<float>{0.0F, 0.0F, 0.0F}, {1.5F, -2.0F, 0.5F}}) {
+    std::vector<std::vector<float>> terms(slab_moment_count);
+    for (std::size_t i = 0; i < padded; ++i) {
+      std::vector<float> x(3);
+      for (std::size_t c = 0; c < 3; ++c) {
+        x[c] = (points[c * padded + i] - centre[c]) * (1.0F / radius);
+      }
+      const float height = x[0] * normal[0] + x[1] * normal[1] + x[2] * normal[2];
+      const float weight = biweight(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) * biweight(height * height);
+      std::size_t m = 0;
+      terms[m++].push_back(weight);
+      for (std::size_t c = 0; c < 3; ++c) {
+        terms[m++].push_back(weight * x[c]);
+      }
+      for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t d = c; d < 3; ++d) {
+          terms[m++].push_back(weight * x[c] * x[d]);
+        }
+      }
+    }
+    std::vector<float> moments(slab_moment_count, -1.0F);
+    table.slab_moments(points.data(), padded, centre.data(), radius, normal.data(), moments.data());
+    for (std::size_t m = 0; m < slab_moment_count; ++m) {
+      EXPECT_EQ(moments[m], interleavedSum(terms[m])) << m;
     }
   }
 }

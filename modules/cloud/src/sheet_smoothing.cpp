@@ -4,10 +4,12 @@
 #include "geodesic/median.h"
 #include "geodesic/parallel.h"
 #include "geodesic/vector_math.h"
+#include "kernels/kernels.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -44,34 +46,65 @@ gatherAround(const std::vector<Vector3>& points,
   });
 }
 
-/** 1 in the middle, 0 from one unit off on. */
-float
-biweight(float squared)
-{
-  return squared < 1.0F ? (1.0F - squared) * (1.0F - squared) : 0.0F;
-}
+/** Points as the kernel takes them: coordinate by coordinate, padded with what is near no place. */
+class CoordinateRows {
+public:
+  CoordinateRows() = default;
 
-/** \param[in] weight of a point at an offset from the place, in units of the radius */
-template <typename Weight>
-LocalPlane
-fitPlane(const std::vector<Vector3>& around, const Vector3& place, float radius, Weight weight)
-{
-  Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
-  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-  LocalPlane plane{place, {0.0F, 0.0F, 1.0F}, 0.0F, 0.0F};
-  for (const Vector3& p : around) {
-    const Vector3 offset = (1.0F / radius) * (p - place);
-    const float w = weight(offset);
-    const Eigen::Vector3f x(offset[0], offset[1], offset[2]);
-    mean += w * x;
-    covariance += w * x * x.transpose();
-    plane.support += w;
+  explicit CoordinateRows(const std::vector<Vector3>& points)
+  {
+    assign(points);
   }
+
+  void
+  assign(const std::vector<Vector3>& points)
+  {
+    constexpr float far_away = 1e3F; // points are at unit scale
+    padded_ = (points.size() + kernel_lanes - 1) / kernel_lanes * kernel_lanes;
+    values_.assign(3 * padded_, far_away);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        values_[c * padded_ + i] = points[i][c];
+      }
+    }
+  }
+
+  std::size_t
+  padded() const
+  {
+    return padded_;
+  }
+
+  const float*
+  data() const
+  {
+    return values_.data();
+  }
+
+private:
+  std::size_t padded_ = 0;
+  std::vector<float> values_;
+};
+
+/** \param[in] slab see slab_moments in kernel_table.h */
+LocalPlane
+fitPlane(const CoordinateRows& around, const Vector3& place, float radius, const Vector3& slab)
+{
+  LocalPlane plane{place, {0.0F, 0.0F, 1.0F}, 0.0F, 0.0F};
+  std::array<float, slab_moment_count> moments{};
+  kernels().slab_moments(around.data(), around.padded(), place.data(), radius, slab.data(), moments.data());
+  plane.support = moments[0];
   if (plane.support <= 0.0F) {
     return plane;
   }
-  mean /= plane.support;
-  covariance = covariance / plane.support - mean * mean.transpose();
+  for (float& moment : moments) {
+    moment /= plane.support;
+  }
+  const Eigen::Vector3f mean(moments[1], moments[2], moments[3]);
+  Eigen::Matrix3f covariance;
+  covariance << moments[4], moments[5], moments[6], moments[5], moments[7], moments[8], moments[6], moments[8],
+      moments[9];
+  covariance -= mean * mean.transpose();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(covariance);
   const Eigen::Vector3f normal = solver.eigenvectors().col(0);
@@ -85,21 +118,17 @@ fitPlane(const std::vector<Vector3>& around, const Vector3& place, float radius,
 
 /** Plane through all points around a place; the farther they are, the less they count. */
 LocalPlane
-fitPlane(const std::vector<Vector3>& around, const Vector3& place, float radius)
+fitPlane(const CoordinateRows& around, const Vector3& place, float radius)
 {
-  return fitPlane(around, place, radius, [](const Vector3& offset) { return biweight(dot(offset, offset)); });
+  return fitPlane(around, place, radius, Vector3{});
 }
 
 /** Plane through those points around a place that are on its own sheet of the surface: points also count the less the
  * farther they are from the plane through the place, and from \a width on not at all. */
 LocalPlane
-fitSheet(const std::vector<Vector3>& around, const Vector3& place, const Vector3& normal, float radius, float width)
+fitSheet(const CoordinateRows& around, const Vector3& place, const Vector3& normal, float radius, float width)
 {
-  const float radii_per_width = radius / width;
-  return fitPlane(around, place, radius, [&](const Vector3& offset) {
-    const float height = radii_per_width * dot(offset, normal);
-    return biweight(dot(offset, offset)) * biweight(height * height);
-  });
+  return fitPlane(around, place, radius, (radius / width) * normal);
 }
 
 /** Every so many-th point, so that about \a most are left; all if there are no more. */
@@ -124,7 +153,7 @@ relativeThickness(const std::vector<Vector3>& points, float radius)
   std::vector<Vector3> around;
   for (const Vector3& place : everyFew(points, probes)) {
     gatherAround(points, grid, place, radius, around);
-    thickness.push_back(fitPlane(around, place, radius).thickness / radius);
+    thickness.push_back(fitPlane(CoordinateRows(around), place, radius).thickness / radius);
   }
   return median(std::move(thickness));
 }
@@ -149,7 +178,7 @@ fewestAround(const std::vector<Vector3>& points, float radius)
 /** Moves a place onto its sheet; the share of the weight of all points around that is within the sheet.
  * \param[out] normal of the sheet, of either sign */
 float
-moveToSheet(Vector3& place, Vector3& normal, const std::vector<Vector3>& around, float radius, float width)
+moveToSheet(Vector3& place, Vector3& normal, const CoordinateRows& around, float radius, float width)
 {
   constexpr int rounds = 4; // each takes a place nearer to the middle of its sheet by more than a half
   const LocalPlane all = fitPlane(around, place, radius);
@@ -265,12 +294,12 @@ moveToSheets(std::vector<Vector3> places,
   const Neighbourhoods neighbourhoods(thinned, smoothing);
   constexpr std::size_t grain = 64;
   parallelBlocks(sheets.places.size(), grain, threads, [&] {
-    return [&, around = std::vector<Vector3>()](std::size_t begin, std::size_t end) mutable {
+    return [&, around = std::vector<Vector3>(), rows = CoordinateRows()](std::size_t begin, std::size_t end) mutable {
       for (std::size_t v = begin; v < end; ++v) {
         const float radius = neighbourhoods.gather(sheets.places[v], around);
         const auto number = static_cast<float>(std::max<std::size_t>(1, around.size()));
-        around = everyFew(around, enough);
-        const float share = moveToSheet(sheets.places[v], sheets.normals[v], around, radius, smoothing.width);
+        rows.assign(everyFew(around, enough));
+        const float share = moveToSheet(sheets.places[v], sheets.normals[v], rows, radius, smoothing.width);
         const float to_radius = smoothing.radius / radius;
         sheets.gaps[v] = radius * std::sqrt(pi / number);
         sheets.support[v] = share < least_share ? 0.0F : share * number * to_radius * to_radius;
