@@ -30,6 +30,13 @@ struct LocalPlane {
   float support = 0.0F;   ///< sum of the weights
 };
 
+float
+squaredDistance(const Vector3& a, const Vector3& b)
+{
+  const Vector3 difference = a - b;
+  return dot(difference, difference);
+}
+
 /** The points nearer to a place than a radius, which is the edge of the grid's cubes. */
 void
 gatherAround(const std::vector<Vector3>& points,
@@ -40,7 +47,7 @@ gatherAround(const std::vector<Vector3>& points,
 {
   gathered.clear();
   grid.visitAround(place, [&](Index i) {
-    if (distance(points[i], place) < radius) {
+    if (squaredDistance(points[i], place) < radius * radius) {
       gathered.push_back(points[i]);
     }
   });
@@ -215,8 +222,8 @@ public:
     }
     const auto last = around.begin() + static_cast<std::ptrdiff_t>(fewest);
     std::nth_element(around.begin(), last, around.end(), [&](const Vector3& a, const Vector3& b) {
-      const float da = distance(a, place);
-      const float db = distance(b, place);
+      const float da = squaredDistance(a, place);
+      const float db = squaredDistance(b, place);
       return da != db ? da < db : a < b;
     });
     const float radius = distance(*last, place);
