@@ -201,9 +201,9 @@ TEST(MapConfidence, FallsWhereMuchOfTheSurfaceIsDistorted)
     evidence.score.distorted = distorted;
     return mapConfidence(evidence);
   };
-  EXPECT_EQ(at(0.05F), at(0.0F));
-  EXPECT_LT(at(0.2F), at(0.05F));
-  EXPECT_LT(at(0.5F), at(0.2F));
+  EXPECT_EQ(at(0.2F), at(0.0F));
+  EXPECT_LT(at(0.3F), at(0.2F));
+  EXPECT_LT(at(0.5F), at(0.3F));
 }
 
 /** A four-legged body in a sparse cloud, mapped front to back: what a pose explains must not excuse all of it. */

@@ -164,7 +164,7 @@ TEST(RivalReadings, NoiseExcusesReadingsThatFindNothing)
     for (int i = 0; i < 3; ++i) {
       rivals.add(readingOf(0, 0.01F, SymmetryStatus::NoSymmetry));
     }
-    Reading found = readingOf(0, 0.4F); // 0.2 with the others
+    Reading found = readingOf(0, 0.36F); // 0.18 with the others
     found.surface.summary.smoothing_radius = smoothing_radius;
     rivals.add(std::move(found));
     EXPECT_EQ(rivals.takeBest().estimate.status,

@@ -109,7 +109,7 @@ mapConfidence(const MapEvidence& evidence)
   constexpr float largest_curvature = 1.5F;
   constexpr float usually_fixed = 0.2F;     // the head, tail and seam of an animal
   constexpr float largest_fixed = 0.35F;    // with limbs in contact
-  constexpr float usually_distorted = 0.1F; // a bent limb, a part in contact
+  constexpr float usually_distorted = 0.2F; // limbs bent or in contact
   const float distorted_beyond = std::max(0.0F, evidence.score.distorted - usually_distorted);
   const float fixed_beyond = std::clamp(evidence.score.fixed, usually_fixed, largest_fixed) - usually_fixed;
   // Involution, turn and centrality grow with the coarseness of the samples and with a pose: they normalise the rest.

@@ -179,7 +179,7 @@ Reading
 RivalReadings::takeBest()
 {
   constexpr float least_in_noise = 0.15F;
-  constexpr float least_without = 0.25F;
+  constexpr float least_without = 0.2F;
   Rival& best = rivals_[bestRival()];
   const float least_confidence = best.reading.surface.summary.smoothing_radius > 0.0F ? least_in_noise : least_without;
   MapEstimate& estimate = best.reading.estimate;
