@@ -45,7 +45,7 @@ public:
    *
    * Its confidence becomes the geometric mean of its own and the mean of all readings, in which those that found
    * another map or none count 0: out of many tries at a body without symmetry one may look like some. If less than
-   * 0.2 is left, of a noisy cloud 0.15, no symmetry was found. */
+   * 0.25 is left, of a cloud with noise or with points at random places 0.15, no symmetry was found. */
   Reading
   takeBest();
 

@@ -172,6 +172,23 @@ TEST(RivalReadings, NoiseExcusesReadingsThatFindNothing)
   }
 }
 
+TEST(RivalReadings, PointsAtRandomPlacesExcuseReadingsThatFindNothing)
+{
+  for (const float nearest : {0.1F, 0.3F}) {
+    RivalReadings rivals;
+    for (int i = 0; i < 3; ++i) {
+      rivals.add(readingOf(0, 0.01F, SymmetryStatus::NoSymmetry));
+    }
+    Reading found = readingOf(0, 0.36F); // 0.18 with the others
+    found.surface.graph.offsets = {0, 2};
+    found.surface.graph.neighbours = {0, 0};
+    found.surface.graph.lengths = {nearest, 0.3F}; // on average twice the nearest, or as far
+    rivals.add(std::move(found));
+    EXPECT_EQ(rivals.takeBest().estimate.status,
+              nearest < 0.3F ? SymmetryStatus::Symmetric : SymmetryStatus::NoSymmetry);
+  }
+}
+
 TEST(RivalReadings, PointsAreTrustedAsTheMapIs)
 {
   RivalReadings rivals;

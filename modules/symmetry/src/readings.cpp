@@ -1,6 +1,7 @@
 #include "symmetry/readings.h"
 
 #include "geodesic/vector_math.h"
+#include "symmetry/map_confidence.h"
 #include "symmetry/robust_method.h"
 #include "symmetry/staged_method.h"
 
@@ -75,6 +76,23 @@ contactTests(const PreparedSurface& surface, const SymmetryParameters& parameter
     tests.insert(tests.end(), {{0.5F, 3.0F, depth}, {0.8F, 4.0F, depth}, {0.95F, 8.0F, depth}});
   }
   return tests;
+}
+
+/** Whether noise or points at random places make each reading of a cloud uncertain. */
+bool
+isUncertain(const PreparedSurface& surface)
+{
+  constexpr float random = 1.8F; // or nearly so
+  constexpr std::size_t probes = 2000;
+  if (surface.summary.smoothing_radius > 0.0F) {
+    return true;
+  }
+  std::vector<Index> probed;
+  const std::size_t step = std::max<std::size_t>(1, surface.size() / probes);
+  for (std::size_t v = 0; v < surface.graph.size(); v += step) {
+    probed.push_back(static_cast<Index>(v));
+  }
+  return measureSpacing(surface.graph, probed, 1.0F).irregularity >= random;
 }
 
 /** Reads one surface in several ways. */
@@ -178,10 +196,10 @@ RivalReadings::best() const
 Reading
 RivalReadings::takeBest()
 {
-  constexpr float least_in_noise = 0.15F;
-  constexpr float least_without = 0.2F;
+  constexpr float least_if_uncertain = 0.15F;
+  constexpr float least_usually = 0.25F;
   Rival& best = rivals_[bestRival()];
-  const float least_confidence = best.reading.surface.summary.smoothing_radius > 0.0F ? least_in_noise : least_without;
+  const float least_confidence = isUncertain(best.reading.surface) ? least_if_uncertain : least_usually;
   MapEstimate& estimate = best.reading.estimate;
   if (estimate.status == SymmetryStatus::Symmetric && readings_ > 1) {
     const float agreement = best.evidence / static_cast<float>(readings_);
