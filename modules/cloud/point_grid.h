@@ -29,7 +29,25 @@ public:
     const std::array<std::int64_t, 3> centre = cube(place);
     for (std::int64_t z = -1; z <= 1; ++z) {
       for (std::int64_t y = -1; y <= 1; ++y) {
-        const auto [begin, end] = row({centre[0] - 1, centre[1] + y, centre[2] + z});
+        const auto [begin, end] = row({centre[0] - 1, centre[1] + y, centre[2] + z}, centre[0] + 1);
+        for (std::size_t i = begin; i < end; ++i) {
+          visit(order_[i]);
+        }
+      }
+    }
+  }
+
+  /** \brief Calls visit (i) for every point i in the cubes that meet a box: all in the box, and some more. In a fixed
+   * order. */
+  template <typename Visit>
+  void
+  visitBox(const Vector3& low, const Vector3& high, Visit visit) const
+  {
+    const std::array<std::int64_t, 3> first = cube(low);
+    const std::array<std::int64_t, 3> last = cube(high);
+    for (std::int64_t z = first[2]; z <= last[2]; ++z) {
+      for (std::int64_t y = first[1]; y <= last[1]; ++y) {
+        const auto [begin, end] = row({first[0], y, z}, last[0]);
         for (std::size_t i = begin; i < end; ++i) {
           visit(order_[i]);
         }
@@ -57,9 +75,9 @@ private:
   std::size_t
   slot(Key key) const;
 
-  /** Entries of three cubes in a row along x. */
+  /** Entries of the cubes from one to another along x. */
   std::array<std::size_t, 2>
-  row(const std::array<std::int64_t, 3>& first) const;
+  row(const std::array<std::int64_t, 3>& first, std::int64_t last_x) const;
 
   float inverse_cell_;
   std::vector<Row> rows_;        ///< hashed, at most half full

@@ -55,6 +55,62 @@ visitedNearer(const PointGrid& grid, const std::vector<Vector3>& points, const V
   return near;
 }
 
+TEST(PointGrid, FindsThePointsInABoxOnce)
+{
+  const std::vector<Vector3> points = randomPoints(1500, -1.0F, 1.0F, 4);
+  const PointGrid grid(points, 0.3F);
+  const std::vector<Vector3> corners = randomPoints(400, -1.2F, 1.2F, 5);
+  std::size_t in_all = 0;
+  for (std::size_t c = 0; c < corners.size(); c += 2) {
+    Vector3 low;
+    Vector3 high;
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(corners[c][k], corners[c + 1][k]);
+      high[k] = std::max(corners[c][k], corners[c + 1][k]);
+    }
+    const auto is_inside = [&](Index i) {
+      bool inside = true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        inside = inside && points[i][k] >= low[k] && points[i][k] <= high[k];
+      }
+      return inside;
+    };
+    std::vector<Index> found;
+    std::size_t visits = 0;
+    grid.visitBox(low, high, [&](Index i) {
+      ++visits;
+      if (is_inside(i)) {
+        found.push_back(i);
+      }
+    });
+    std::vector<Index> inside;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (is_inside(static_cast<Index>(i))) {
+        inside.push_back(static_cast<Index>(i));
+      }
+    }
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, inside);
+    in_all += found.size();
+  }
+  EXPECT_GT(in_all, 1000U);
+}
+
+TEST(PointGrid, VisitsFewPointsAroundASmallBox)
+{
+  const std::vector<Vector3> points = randomPoints(4000, -1.0F, 1.0F, 6);
+  const PointGrid grid(points, 0.2F);
+  std::size_t around = 0;
+  std::size_t box = 0;
+  for (const Vector3& place : randomPoints(100, -1.0F, 1.0F, 7)) {
+    grid.visitAround(place, [&](Index) { ++around; });
+    const Vector3 reach{0.05F, 0.05F, 0.05F};
+    grid.visitBox(place - reach, place + reach, [&](Index) { ++box; });
+  }
+  EXPECT_GT(box, 0U);
+  EXPECT_LT(4 * box, around);
+}
+
 TEST(PointGrid, FindsThePointsNearerThanAnEdgeOnce)
 {
   const std::vector<Vector3> points = randomPoints(1500, -1.0F, 1.0F, 1);

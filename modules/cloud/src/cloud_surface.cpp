@@ -14,6 +14,7 @@
 #include <iterator>
 #include <numeric>
 #include <queue>
+#include <tuple>
 
 namespace pcl {
 namespace symmetry {
@@ -147,7 +148,7 @@ class ContactBarrier {
 public:
   /** \param[in] depth how far edges are moved */
   ContactBarrier(const std::vector<Vector3>& points, const std::vector<Vector3>& normals, float depth)
-      : points_(points), normals_(normals), depth_(depth), grid_(points, clearance * depth)
+      : points_(points), normals_(normals), clearance_(0.6F * depth), depth_(depth), grid_(points, 2.0F * depth)
   {
   }
 
@@ -156,36 +157,38 @@ public:
   {
     const Vector3 a = points_[edge.a] - depth_ * normals_[edge.a];
     const Vector3 b = points_[edge.b] - depth_ * normals_[edge.b];
-    const auto steps = std::max(2, static_cast<int>(std::ceil(distance(a, b) / (0.5F * clearance * depth_))));
-    for (int i = 0; i <= steps; ++i) {
-      if (isOnSurface(a + (static_cast<float>(i) / static_cast<float>(steps)) * (b - a))) {
-        return true;
-      }
+    Vector3 low;
+    Vector3 high;
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = std::min(a[i], b[i]) - clearance_;
+      high[i] = std::max(a[i], b[i]) + clearance_;
     }
-    return false;
+    const auto steps = std::max(2, static_cast<int>(std::ceil(distance(a, b) / (0.5F * clearance_))));
+    bool is_crossed = false;
+    grid_.visitBox(low, high, [&](Index v) {
+      for (int i = 0; i <= steps && !is_crossed; ++i) {
+        const Vector3 place = a + (static_cast<float>(i) / static_cast<float>(steps)) * (b - a);
+        is_crossed = distance(points_[v], place) < clearance_;
+      }
+    });
+    return is_crossed;
   }
 
 private:
-  static constexpr float clearance = 0.6F; // of the depth; where the surface bends inwards it comes nearer than that
-
-  bool
-  isOnSurface(const Vector3& place) const
-  {
-    bool is_near = false;
-    grid_.visitAround(place, [&](Index v) { is_near = is_near || distance(points_[v], place) < clearance * depth_; });
-    return is_near;
-  }
-
   const std::vector<Vector3>& points_;
   const std::vector<Vector3>& normals_;
+  float clearance_; ///< where the surface bends inwards it comes nearer than the depth
   float depth_;
   PointGrid grid_;
 };
 
-/** Searches around a vertex, with memory kept from search to search. */
+/** Searches around a vertex, with memory kept from search to search. Goes first where the way and the straight line
+ * from there to the target are shortest together (Hart, Nilsson and Raphael: A formal basis for the heuristic
+ * determination of minimum cost paths. IEEE Transactions on Systems Science and Cybernetics 4(2), 1968). */
 class LocalSearch {
 public:
-  explicit LocalSearch(const SurfaceGraph& graph) : graph_(graph), distance_(graph.size(), unreachable)
+  LocalSearch(const std::vector<Vector3>& points, const SurfaceGraph& graph)
+      : points_(points), graph_(graph), distance_(graph.size(), unreachable)
   {
   }
 
@@ -193,19 +196,24 @@ public:
   bool
   isNear(Index from, Index to, float limit)
   {
+    constexpr float rounding = 1.0001F;
     bool found = false;
-    push(from, 0.0F);
+    push(from, 0.0F, 0.0F);
     while (!queue_.empty() && !found) {
-      const auto [d, v] = queue_.top();
+      const auto [least, d, v] = queue_.top();
       queue_.pop();
       if (d > distance_[v]) {
         continue;
       }
       found = v == to;
       for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
+        const Index next = graph_.neighbours[e];
         const float through = d + graph_.lengths[e];
-        if (through <= limit && through < distance_[graph_.neighbours[e]]) {
-          push(graph_.neighbours[e], through);
+        if (through <= limit && through < distance_[next]) {
+          const float whole = through + distance(points_[next], points_[to]);
+          if (whole <= rounding * limit) {
+            push(next, through, whole);
+          }
         }
       }
     }
@@ -219,14 +227,15 @@ public:
 
 private:
   void
-  push(Index v, float d)
+  push(Index v, float d, float whole)
   {
     distance_[v] = d;
     reached_.push_back(v);
-    queue_.push({d, v});
+    queue_.push({whole, d, v});
   }
 
-  using Entry = std::pair<float, Index>;
+  using Entry = std::tuple<float, float, Index>; // least length of the whole way, length so far, vertex
+  const std::vector<Vector3>& points_;
   const SurfaceGraph& graph_;
   std::vector<float> distance_;
   std::vector<Index> reached_;
@@ -236,12 +245,15 @@ private:
 /** Puts back the edges that shorten no way by much: on a sharp bend they are needed, and they join no parts in contact.
  */
 void
-restoreHarmless(
-    std::size_t n, float detour, unsigned threads, std::vector<GraphEdge>& trusted, std::vector<GraphEdge>& distrusted)
+restoreHarmless(const std::vector<Vector3>& points,
+                float detour,
+                unsigned threads,
+                std::vector<GraphEdge>& trusted,
+                std::vector<GraphEdge>& distrusted)
 {
-  const SurfaceGraph graph = buildGraph(n, trusted);
-  moveEdges(distrusted, trusted, threads, [&graph, detour] {
-    return [search = LocalSearch(graph), detour](const GraphEdge& edge) mutable {
+  const SurfaceGraph graph = buildGraph(points.size(), trusted);
+  moveEdges(distrusted, trusted, threads, [&points, &graph, detour] {
+    return [search = LocalSearch(points, graph), detour](const GraphEdge& edge) mutable {
       return search.isNear(edge.a, edge.b, detour * edge.length);
     };
   });
@@ -333,7 +345,7 @@ buildCloudSurface(const std::vector<Vector3>& points,
     // The inside of a thin part is crossed all over: first it has to hang together.
     bridges = bridgeParts(points.size(), trusted, distrusted);
   }
-  restoreHarmless(points.size(), contact.detour, threads, trusted, distrusted);
+  restoreHarmless(points, contact.detour, threads, trusted, distrusted);
 
   cloud.triangles = localDelaunayTriangles(points, cloud.normals, buildGraph(points.size(), trusted), threads);
   cloud.bridges = bridges + bridgeParts(points.size(), trusted, distrusted) + gaps.size();

@@ -73,11 +73,11 @@ PointGrid::slot(Key key) const
 }
 
 std::array<std::size_t, 2>
-PointGrid::row(const std::array<std::int64_t, 3>& first) const
+PointGrid::row(const std::array<std::int64_t, 3>& first, std::int64_t last_x) const
 {
   const Row& row = rows_[slot(rowKey(first))];
   const auto begin = std::lower_bound(xs_.begin() + row.begin, xs_.begin() + row.end, first[0]);
-  const auto end = std::upper_bound(begin, xs_.begin() + row.end, first[0] + 2);
+  const auto end = std::upper_bound(begin, xs_.begin() + row.end, last_x);
   return {static_cast<std::size_t>(begin - xs_.begin()), static_cast<std::size_t>(end - xs_.begin())};
 }
 
