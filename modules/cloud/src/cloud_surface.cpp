@@ -12,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <queue>
 #include <tuple>
@@ -163,11 +164,19 @@ public:
       low[i] = std::min(a[i], b[i]) - clearance_;
       high[i] = std::max(a[i], b[i]) + clearance_;
     }
+    const Vector3 along = b - a;
+    const float inverse_square = 1.0F / std::max(dot(along, along), std::numeric_limits<float>::min());
+    const float beyond = 1.001F * clearance_ * clearance_;
     const auto steps = std::max(2, static_cast<int>(std::ceil(distance(a, b) / (0.5F * clearance_))));
     bool is_crossed = false;
     grid_.visitBox(low, high, [&](Index v) {
+      const Vector3 offset = points_[v] - a;
+      const Vector3 nearest = std::clamp(inverse_square * dot(offset, along), 0.0F, 1.0F) * along;
+      if (dot(offset - nearest, offset - nearest) > beyond) {
+        return; // most are
+      }
       for (int i = 0; i <= steps && !is_crossed; ++i) {
-        const Vector3 place = a + (static_cast<float>(i) / static_cast<float>(steps)) * (b - a);
+        const Vector3 place = a + (static_cast<float>(i) / static_cast<float>(steps)) * along;
         is_crossed = distance(points_[v], place) < clearance_;
       }
     });
