@@ -30,6 +30,9 @@ struct ContactTest {
    * longer trusted; 0: not at all. Tells contacts in a noisy cloud, where touching surfaces have merged, and leaves
    * thin parts with few edges. */
   float depth = 0.0F;
+  /** Whether estimated normals are those of one sheet (sheet_normals.h), for points without noise: edges between two
+   * sheets bend more, and so do those of thin parts. */
+  bool sheet_normals = false;
 };
 
 /** \brief Builds graph, normals and triangles of a cloud.

@@ -3,6 +3,7 @@
 #include "cloud/cloud_normals.h"
 #include "cloud/local_delaunay.h"
 #include "cloud/point_grid.h"
+#include "cloud/sheet_normals.h"
 #include "geodesic/median.h"
 #include "geodesic/parallel.h"
 #include "geodesic/shortest_paths.h"
@@ -326,6 +327,9 @@ buildCloudSurface(const std::vector<Vector3>& points,
   const std::vector<float> spacing = localSpacing(plain);
   CloudSurface cloud;
   cloud.normals = given_normals.empty() ? estimateNormals(points, lists, threads) : given_normals;
+  if (given_normals.empty() && contact.sheet_normals) {
+    cloud.normals = sheetNormals(points, lists, cloud.normals, threads);
+  }
 
   std::vector<GraphEdge> trusted = edgesOf(plain);
   std::vector<GraphEdge> distrusted;

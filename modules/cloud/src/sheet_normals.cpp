@@ -1,0 +1,147 @@
+#include "cloud/sheet_normals.h"
+
+#include "geodesic/parallel.h"
+#include "geodesic/vector_math.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Where the neighbours of a point are, seen from it. */
+class Offsets {
+public:
+  void
+  collect(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v)
+  {
+    constexpr float thickness = 0.3F; // of a sheet, in mean distances of the neighbours
+    offsets_.clear();
+    float sum = 0.0F;
+    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
+      if (static_cast<std::size_t>(lists.neighbours[i]) != v) {
+        offsets_.push_back(points[lists.neighbours[i]] - points[v]);
+        sum += norm(offsets_.back());
+      }
+    }
+    const float near = thickness * sum / static_cast<float>(std::max<std::size_t>(offsets_.size(), 1));
+    inverse_square_ = near > 0.0F ? 1.0F / (near * near) : 0.0F;
+  }
+
+  /** The number of neighbours that are near the plane through the point, from 0 to 1. */
+  float
+  shareInPlane(const Vector3& normal) const
+  {
+    float sum = 0.0F;
+    for (const Vector3& x : offsets_) {
+      sum += weight(x, normal);
+    }
+    return offsets_.empty() ? 1.0F : sum / static_cast<float>(offsets_.size());
+  }
+
+  /** Normal of the plane through the point and two of the neighbours that has most of the others near it. */
+  Vector3
+  bestOfPairs(Vector3 best) const
+  {
+    constexpr float least_sine = 0.3F; // of the angle between two neighbours that span a plane
+    float largest = shareInPlane(best);
+    for (std::size_t i = 0; i < offsets_.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Vector3 doubled_area = cross(offsets_[i], offsets_[j]);
+        if (norm(doubled_area) < least_sine * norm(offsets_[i]) * norm(offsets_[j])) {
+          continue;
+        }
+        const Vector3 normal = normalized(doubled_area);
+        const float share = shareInPlane(normal);
+        if (share > largest) {
+          largest = share;
+          best = normal;
+        }
+      }
+    }
+    return best;
+  }
+
+  /** The plane fitted to the neighbours that are near it. */
+  Vector3
+  fitted(Vector3 normal) const
+  {
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round) {
+      Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
+      for (const Vector3& offset : offsets_) {
+        const Eigen::Vector3f x = std::sqrt(inverse_square_) * Eigen::Vector3f(offset[0], offset[1], offset[2]);
+        covariance += weight(offset, normal) * x * x.transpose();
+      }
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+      solver.computeDirect(covariance);
+      const Eigen::Vector3f n = solver.eigenvectors().col(0);
+      if (!n.allFinite()) {
+        break;
+      }
+      normal = normalized({n.x(), n.y(), n.z()});
+    }
+    return normal;
+  }
+
+private:
+  float
+  weight(const Vector3& offset, const Vector3& normal) const
+  {
+    const float height = dot(offset, normal);
+    const float square = height * height * inverse_square_;
+    return 1.0F / (1.0F + square * square);
+  }
+
+  std::vector<Vector3> offsets_;
+  float inverse_square_ = 0.0F; ///< of the height above a plane up to which a neighbour is near it
+};
+
+/** Mean of the normals of a point and its neighbours, those counting most that differ least, of either sign. */
+Vector3
+bilateralMean(const NeighbourLists& lists, const std::vector<Vector3>& normals, std::size_t v)
+{
+  constexpr float difference = 0.1F; // one less the cosine: some 26 degrees
+  Vector3 sum = normals[v];
+  for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
+    if (static_cast<std::size_t>(lists.neighbours[i]) != v) {
+      const float cosine = dot(normals[v], normals[lists.neighbours[i]]);
+      const float weight = std::exp((std::abs(cosine) - 1.0F) / difference);
+      sum = sum + std::copysign(weight, cosine) * normals[lists.neighbours[i]];
+    }
+  }
+  return normalized(sum);
+}
+
+} // namespace
+
+std::vector<Vector3>
+sheetNormals(const std::vector<Vector3>& points,
+             const NeighbourLists& neighbours,
+             const std::vector<Vector3>& normals,
+             unsigned threads)
+{
+  constexpr float most_neighbours = 0.6F; // sharp but single sheets have no fewer in their plane
+  constexpr std::size_t grain = 512;
+  std::vector<Vector3> of_one_sheet(points.size());
+  parallelBlocks(points.size(), grain, threads, [&] {
+    return [&, offsets = Offsets()](std::size_t begin, std::size_t end) mutable {
+      for (std::size_t v = begin; v < end; ++v) {
+        offsets.collect(points, neighbours, v);
+        of_one_sheet[v] = offsets.shareInPlane(normals[v]) >= most_neighbours
+                              ? normals[v]
+                              : offsets.fitted(offsets.bestOfPairs(normals[v]));
+      }
+    };
+  });
+  std::vector<Vector3> averaged(points.size());
+  parallelFor(
+      points.size(), threads, [&](std::size_t v) { averaged[v] = bilateralMean(neighbours, of_one_sheet, v); }, grain);
+  return averaged;
+}
+
+} // namespace symmetry
+} // namespace pcl
