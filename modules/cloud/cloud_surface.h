@@ -33,6 +33,12 @@ struct ContactTest {
   /** Whether estimated normals are those of one sheet (sheet_normals.h), for points without noise: edges between two
    * sheets bend more, and so do those of thin parts. */
   bool sheet_normals = false;
+
+  bool
+  operator==(const ContactTest& other) const
+  {
+    return bend == other.bend && detour == other.detour && depth == other.depth && sheet_normals == other.sheet_normals;
+  }
 };
 
 /** \brief Builds graph, normals and triangles of a cloud.

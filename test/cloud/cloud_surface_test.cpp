@@ -169,6 +169,20 @@ TEST(CloudSurface, EndsInCloserContactAreNotJoinedWhereNormalsAreGiven)
   }
 }
 
+/** Half a spacing apart, the plane of a point's neighbours is a blend of both ends. */
+TEST(CloudSurface, SheetNormalsKeepEndsInCloserContactApart)
+{
+  constexpr float spacing = 0.015F;
+  for (const float gap : {0.4F, 0.5F, 0.6F}) {
+    SCOPED_TRACE(gap);
+    const BentTube tube = bentTube(spacing, gap * spacing);
+    EXPECT_GT(edgesBetweenEnds(tube, surfaceOf(tube.points, {0.85F, 6.0F, 0.5F}).graph), 10U);
+    const CloudSurface surface = surfaceOf(tube.points, {0.85F, 6.0F, 0.5F, true});
+    EXPECT_EQ(edgesBetweenEnds(tube, surface.graph), 0U);
+    EXPECT_EQ(surface.bridges, 0U);
+  }
+}
+
 TEST(CloudSurface, SheetsFacingEachOtherAreJoinedByOneBridge)
 {
   constexpr int n = 30;
@@ -256,6 +270,36 @@ TEST(CloudSurface, LargerDetourTrustsMoreEdges)
   const CloudSurface tolerant = surfaceOf(points, {0.9F, 4.0F});
   EXPECT_GT(strict.distrusted_edges, tolerant.distrusted_edges);
   EXPECT_LT(strict.graph.neighbours.size(), tolerant.graph.neighbours.size());
+}
+
+TEST(CloudSurface, DetourIsTheLongestWayRoundAnEdgeThatIsKept)
+{
+  constexpr float bend = 0.8F;
+  const std::vector<Vector3> points = cubeCloud(16, 5);
+  const SurfaceGraph plain = plainGraph(points);
+  const CloudSurface none_kept = surfaceOf(points, {bend, 0.0F});
+  ASSERT_EQ(none_kept.bridges, 0U);
+  std::vector<std::vector<float>> ways;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    ways.push_back(distanceField(none_kept.graph, static_cast<Index>(v)));
+  }
+  for (const float detour : {1.5F, 2.0F, 3.0F}) {
+    SCOPED_TRACE(detour);
+    const SurfaceGraph graph = surfaceOf(points, {bend, detour}).graph;
+    std::size_t nearly_too_long = 0;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      const auto begin = graph.neighbours.begin() + graph.offsets[v];
+      const auto end = graph.neighbours.begin() + graph.offsets[v + 1];
+      for (std::uint32_t e = plain.offsets[v]; e < plain.offsets[v + 1]; ++e) {
+        const float share = ways[v][plain.neighbours[e]] / (detour * plain.lengths[e]);
+        if (std::abs(share - 1.0F) > 1e-3F) {
+          ASSERT_EQ(std::find(begin, end, plain.neighbours[e]) != end, share < 1.0F) << share;
+        }
+        nearly_too_long += share > 0.8F && share < 1.0F ? 1U : 0U;
+      }
+    }
+    EXPECT_GT(nearly_too_long, 20U);
+  }
 }
 
 TEST(CloudSurface, NormalsOfASpherePointOutwards)

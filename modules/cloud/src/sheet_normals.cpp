@@ -42,30 +42,7 @@ public:
     return offsets_.empty() ? 1.0F : sum / static_cast<float>(offsets_.size());
   }
 
-  /** Normal of the plane through the point and two of the neighbours that has most of the others near it. */
-  Vector3
-  bestOfPairs(Vector3 best) const
-  {
-    constexpr float least_sine = 0.3F; // of the angle between two neighbours that span a plane
-    float largest = shareInPlane(best);
-    for (std::size_t i = 0; i < offsets_.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const Vector3 doubled_area = cross(offsets_[i], offsets_[j]);
-        if (norm(doubled_area) < least_sine * norm(offsets_[i]) * norm(offsets_[j])) {
-          continue;
-        }
-        const Vector3 normal = normalized(doubled_area);
-        const float share = shareInPlane(normal);
-        if (share > largest) {
-          largest = share;
-          best = normal;
-        }
-      }
-    }
-    return best;
-  }
-
-  /** The plane fitted to the neighbours that are near it. */
+  /** Normal of the plane through the point that is fitted to the neighbours near it, from one near \a normal on. */
   Vector3
   fitted(Vector3 normal) const
   {
@@ -131,9 +108,8 @@ sheetNormals(const std::vector<Vector3>& points,
     return [&, offsets = Offsets()](std::size_t begin, std::size_t end) mutable {
       for (std::size_t v = begin; v < end; ++v) {
         offsets.collect(points, neighbours, v);
-        of_one_sheet[v] = offsets.shareInPlane(normals[v]) >= most_neighbours
-                              ? normals[v]
-                              : offsets.fitted(offsets.bestOfPairs(normals[v]));
+        const bool is_in_one_sheet = offsets.shareInPlane(normals[v]) >= most_neighbours;
+        of_one_sheet[v] = is_in_one_sheet ? normals[v] : offsets.fitted(normals[v]);
       }
     };
   });
