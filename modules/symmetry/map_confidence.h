@@ -8,6 +8,7 @@
 #include "symmetry/patch_alignment.h"
 #include "symmetry/sample_interpolation.h"
 
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -48,6 +49,9 @@ struct PointSpacing {
 PointSpacing
 measureSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, float diameter);
 
+/** \brief Irregularity from which on the points of a cloud lie at random, or nearly so. */
+constexpr float random_irregularity = 1.8F;
+
 /** \brief What speaks for and against a refined map. */
 struct MapEvidence {
   MapScore score;               ///< of the refined map
@@ -78,6 +82,21 @@ constexpr float least_map_confidence = 0.35F;
 /** \brief Share of the confidence that is left to a map that is not handed out: what spoke against it counts as well.
  */
 constexpr float confidence_of_refused = 0.1F;
+
+/** \brief One of several maps of a surface. */
+struct RatedMap {
+  float value;      ///< SampleEstimate::value, the lower the better
+  float confidence; ///< mapConfidence ()
+};
+
+/** \brief The map to go on with where a surface may have been misread, as a cloud may: its number, and its confidence.
+ *
+ * A wrong contact lets the right map look bad in one place, so that a wrong one fits better and is refused. So the best
+ * map that is not refused is taken; the first one if all are. The value has the logarithm of the misfit in it: a map
+ * that fits worse than the first one by a factor has a confidence lower by that factor. \param[in] maps at least one,
+ * the best first */
+std::pair<std::size_t, float>
+bestTrustedMap(const std::vector<RatedMap>& maps);
 
 /** \brief Confidence of every point: that of the map, lowered where distances to other samples change.
  *

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 using namespace pcl::symmetry;
@@ -270,6 +271,23 @@ TEST(MeasureSpacing, HasTheSparseSamplesAndTheUsualIrregularity)
   EXPECT_EQ(measureSpacing(graph, {20}, 1.0F).sparse, 0.0F);
   const SurfaceGraph at_one_place = buildGraph(2, {{0, 1, 0.0F}});
   EXPECT_EQ(measureSpacing(at_one_place, {0, 1}, 1.0F).irregularity, 1.0F);
+}
+
+TEST(BestTrustedMap, IsTheFirstThatIsNotRefused)
+{
+  using Choice = std::pair<std::size_t, float>;
+  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.5F}, {-4.0F, 0.9F}}), Choice(0, 0.5F));
+  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.1F}, {-4.0F, 0.2F}, {-4.0F, 0.6F}, {-4.0F, 0.9F}}), Choice(2, 0.6F));
+  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.1F}, {-4.0F, 0.3F}}), Choice(0, 0.1F)) << "all refused";
+}
+
+TEST(BestTrustedMap, TrustsLessWhatFitsWorse)
+{
+  const float twice_the_misfit = std::log(2.0F);
+  const auto [number, confidence] = bestTrustedMap({{-4.0F, 0.1F}, {-4.0F + twice_the_misfit, 0.8F}});
+  EXPECT_EQ(number, 1U);
+  EXPECT_NEAR(confidence, 0.4F, 1e-5F);
+  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.1F}, {-4.0F + twice_the_misfit, 0.6F}}).first, 0U) << "refused as well";
 }
 
 TEST(MapConfidence, IsBounded)

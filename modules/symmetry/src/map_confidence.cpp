@@ -24,10 +24,9 @@ evidenceFromGaps(const MapEvidence& evidence)
 {
   constexpr float usual_spacing = 0.011F;
   constexpr float even = 1.4F;
-  constexpr float random = 1.8F; // or nearly so
   constexpr float few_at_holes = 0.02F;
   constexpr float many_at_holes = 0.08F;
-  const float gaps = std::clamp((evidence.spacing.irregularity - even) / (random - even), 0.0F, 1.0F);
+  const float gaps = std::clamp((evidence.spacing.irregularity - even) / (random_irregularity - even), 0.0F, 1.0F);
   const float holes = std::clamp((evidence.at_holes - few_at_holes) / (many_at_holes - few_at_holes), 0.0F, 1.0F);
   return 1.2F * gaps * std::log(std::max(1.0F, evidence.spacing.sparse / usual_spacing)) + holes +
          (evidence.is_noisy ? 0.7F : 0.0F);
@@ -119,6 +118,18 @@ mapConfidence(const MapEvidence& evidence)
       1.3F * std::log(evidence.fit.turn + little_turn) + 1.3F * std::log(evidence.signs.centrality + little_change) +
       1.5F * std::log(evidence.signs.involution + tiny) - 2.0F * std::min(evidence.rough_curvature, largest_curvature) -
       25.6F * fixed_beyond - 10.0F * distorted_beyond + evidenceFromGaps(evidence));
+}
+
+std::pair<std::size_t, float>
+bestTrustedMap(const std::vector<RatedMap>& maps)
+{
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    const float confidence = maps[i].confidence * std::exp(maps[0].value - maps[i].value);
+    if (confidence >= least_map_confidence) {
+      return {i, confidence};
+    }
+  }
+  return {0, maps[0].confidence};
 }
 
 std::vector<float>

@@ -113,6 +113,7 @@ withFirst(const SymmetryCandidate& first, const std::vector<SymmetryCandidate>& 
 struct Contender {
   const SymmetryCandidate* candidate = nullptr;
   SampleEstimate samples;
+  float confidence = 0.0F;
 };
 
 /** From candidates among the hubs to maps of all points. */
@@ -146,21 +147,23 @@ public:
   {
   }
 
-  /** Of the candidates with the best scores, refined, the one that fits best. */
+  /** Of the candidates with the best scores, refined, the one that fits best; of a cloud, see bestTrustedMap (). */
   Contender
   bestContender(const std::vector<SymmetryCandidate>& candidates) const
   {
-    Contender best;
-    for (std::size_t i = 0; i < std::min(settings_.contenders, candidates.size()); ++i) {
-      if (i > 0 && candidates[i].score.value > candidates[0].score.value + settings_.contender_margin) {
-        break;
-      }
-      SampleEstimate samples = refinement_.refine(candidates[i]);
-      if (i == 0 || samples.value < best.samples.value) {
-        best = {&candidates[i], std::move(samples)};
-      }
+    std::vector<Contender> contenders = refinedContenders(candidates);
+    Contender& first = contenders.front();
+    first.confidence = confidenceOf(*first.candidate, first.samples);
+    if (!surface_.is_cloud || first.confidence >= least_map_confidence) {
+      return std::move(first);
     }
-    return best;
+    std::vector<RatedMap> maps;
+    for (const Contender& contender : contenders) {
+      maps.push_back({contender.samples.value, confidenceOf(*contender.candidate, contender.samples)});
+    }
+    const auto [number, confidence] = bestTrustedMap(maps);
+    contenders[number].confidence = confidence;
+    return std::move(contenders[number]);
   }
 
   float
@@ -210,6 +213,23 @@ public:
   }
 
 private:
+  /** The candidates with the best scores, refined; what fits best comes first. */
+  std::vector<Contender>
+  refinedContenders(const std::vector<SymmetryCandidate>& candidates) const
+  {
+    std::vector<Contender> contenders;
+    for (const SymmetryCandidate& candidate : candidates) {
+      if (!contenders.empty() && (contenders.size() >= settings_.contenders ||
+                                  candidate.score.value > candidates[0].score.value + settings_.contender_margin)) {
+        break;
+      }
+      contenders.push_back({&candidate, refinement_.refine(candidate), 0.0F});
+    }
+    std::stable_sort(contenders.begin(), contenders.end(),
+                     [](const Contender& a, const Contender& b) { return a.samples.value < b.samples.value; });
+    return contenders;
+  }
+
   std::vector<Index>
   partnersOf(const SampleEstimate& samples) const
   {
@@ -281,9 +301,8 @@ estimateRobust(const PreparedSurface& surface,
   timer.start("matching", 0.7);
   const RobustEstimation estimation(surface, model, parameters, settings);
   const Contender best = estimation.bestContender(candidates);
-  const float confidence = estimation.confidenceOf(*best.candidate, best.samples);
-  estimate.confidence = confidence_of_refused * confidence;
-  if (confidence < least_map_confidence) {
+  estimate.confidence = confidence_of_refused * best.confidence;
+  if (best.confidence < least_map_confidence) {
     if (isReflection(best.samples.score) || isReflection(best.candidate->score)) {
       estimate.message = "the best reflection of the surface fails in one place: one side has what the other lacks";
     }
@@ -291,7 +310,7 @@ estimateRobust(const PreparedSurface& surface,
   }
   estimate.status = SymmetryStatus::Symmetric;
   estimate.message.clear();
-  estimate.confidence = confidence;
+  estimate.confidence = best.confidence;
 
   timer.start("dense", 0.8);
   estimation.describeMap(best.samples, estimate);
