@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "cloud/cloud_surface.h"
 #include "geodesic/neighbour_graph.h"
 #include "symmetry/map_estimate.h"
 #include "symmetry/prepared_surface.h"
@@ -61,6 +62,23 @@ private:
 
   std::vector<Rival> rivals_;
   std::size_t readings_ = 0; ///< added so far
+};
+
+/** \brief Remembers how a surface was read: however the noise is read, often the same points come out. */
+class PastReadings {
+public:
+  /** \brief Whether this is the first time. */
+  bool
+  isNew(const PreparedSurface& surface, const ContactTest& contact);
+
+private:
+  struct PastSurface {
+    std::vector<Vector3> points;
+    std::vector<Vector3> normals;
+    std::vector<ContactTest> contacts;
+  };
+
+  std::vector<PastSurface> surfaces_;
 };
 
 /** \brief Reads a surface in one way after another until the result is settled.

@@ -207,4 +207,26 @@ TEST(RivalReadings, TooFewPointsSettleAtOnce)
   EXPECT_TRUE(rivals.isSettled());
 }
 
+TEST(PastReadings, AreThoseOfTheSamePointsWithTheSameContacts)
+{
+  const ContactTest trusting{0.5F, 3.0F, 0.0F};
+  PreparedSurface surface;
+  surface.points = {{0.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}};
+  PastReadings past;
+  EXPECT_TRUE(past.isNew(surface, trusting));
+  EXPECT_FALSE(past.isNew(surface, trusting));
+  EXPECT_TRUE(past.isNew(surface, {0.5F, 3.0F, 1.0F}));
+  EXPECT_TRUE(past.isNew(surface, {0.5F, 4.0F, 0.0F}));
+  EXPECT_TRUE(past.isNew(surface, {0.8F, 3.0F, 0.0F}));
+  EXPECT_TRUE(past.isNew(surface, {0.5F, 3.0F, 0.0F, true}));
+
+  PreparedSurface parted = surface;
+  parted.normals = {{0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, -1.0F}};
+  EXPECT_TRUE(past.isNew(parted, trusting));
+  parted.points[1] = {2.0F, 0.0F, 0.0F};
+  EXPECT_TRUE(past.isNew(parted, trusting));
+  EXPECT_FALSE(past.isNew(parted, trusting));
+  EXPECT_FALSE(past.isNew(surface, trusting)) << "is remembered after others";
+}
+
 } // namespace

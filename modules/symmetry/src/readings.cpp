@@ -82,7 +82,6 @@ contactTests(const PreparedSurface& surface, const SymmetryParameters& parameter
 bool
 isUncertain(const PreparedSurface& surface)
 {
-  constexpr float random = 1.8F; // or nearly so
   constexpr std::size_t probes = 2000;
   if (surface.summary.smoothing_radius > 0.0F) {
     return true;
@@ -92,7 +91,7 @@ isUncertain(const PreparedSurface& surface)
   for (std::size_t v = 0; v < surface.graph.size(); v += step) {
     probed.push_back(static_cast<Index>(v));
   }
-  return measureSpacing(surface.graph, probed, 1.0F).irregularity >= random;
+  return measureSpacing(surface.graph, probed, 1.0F).irregularity >= random_irregularity;
 }
 
 /** Reads one surface in several ways. */
@@ -115,6 +114,9 @@ public:
     timer_.start("graph", 0.0);
     const UsablePoints usable = usablePoints(surface_, parameters_, search_, noise);
     for (const ContactTest& contact : contactTests(usable.surface, parameters_, depths)) {
+      if (!past_.isNew(usable.surface, contact)) {
+        continue; // it would speak twice
+      }
       timer_.start("graph", 0.0);
       Reading reading;
       reading.surface = prepareSurface(usable, parameters_, contact);
@@ -140,9 +142,26 @@ private:
   StepTimer& timer_;
   InputSummary& summary_;
   RivalReadings rivals_;
+  PastReadings past_;
 };
 
 } // namespace
+
+bool
+PastReadings::isNew(const PreparedSurface& surface, const ContactTest& contact)
+{
+  auto past = std::find_if(surfaces_.begin(), surfaces_.end(), [&](const PastSurface& other) {
+    return other.points == surface.points && other.normals == surface.normals;
+  });
+  if (past == surfaces_.end()) {
+    past = surfaces_.insert(surfaces_.end(), {surface.points, surface.normals, {}});
+  }
+  if (std::find(past->contacts.begin(), past->contacts.end(), contact) != past->contacts.end()) {
+    return false;
+  }
+  past->contacts.push_back(contact);
+  return true;
+}
 
 void
 RivalReadings::add(Reading reading)
