@@ -93,8 +93,9 @@ struct RatedMap {
  *
  * A wrong contact lets the right map look bad in one place, so that a wrong one fits better and is refused. So the best
  * map that is not refused is taken; the first one if all are. The value has the logarithm of the misfit in it: a map
- * that fits worse than the first one by a factor has a confidence lower by that factor. \param[in] maps at least one,
- * the best first */
+ * that fits worse than the first one by a factor has a confidence lower by the square of that factor.
+ *
+ * \param[in] maps at least one, the best first */
 std::pair<std::size_t, float>
 bestTrustedMap(const std::vector<RatedMap>& maps);
 

@@ -283,11 +283,11 @@ TEST(BestTrustedMap, IsTheFirstThatIsNotRefused)
 
 TEST(BestTrustedMap, TrustsLessWhatFitsWorse)
 {
-  const float twice_the_misfit = std::log(2.0F);
-  const auto [number, confidence] = bestTrustedMap({{-4.0F, 0.1F}, {-4.0F + twice_the_misfit, 0.8F}});
+  const float half_more_misfit = std::log(1.5F);
+  const auto [number, confidence] = bestTrustedMap({{-4.0F, 0.1F}, {-4.0F + half_more_misfit, 0.9F}});
   EXPECT_EQ(number, 1U);
   EXPECT_NEAR(confidence, 0.4F, 1e-5F);
-  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.1F}, {-4.0F + twice_the_misfit, 0.6F}}).first, 0U) << "refused as well";
+  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.1F}, {-4.0F + half_more_misfit, 0.7F}}).first, 0U) << "refused as well";
 }
 
 TEST(MapConfidence, IsBounded)

@@ -124,7 +124,7 @@ std::pair<std::size_t, float>
 bestTrustedMap(const std::vector<RatedMap>& maps)
 {
   for (std::size_t i = 0; i < maps.size(); ++i) {
-    const float confidence = maps[i].confidence * std::exp(maps[0].value - maps[i].value);
+    const float confidence = maps[i].confidence * std::exp(2.0F * (maps[0].value - maps[i].value));
     if (confidence >= least_map_confidence) {
       return {i, confidence};
     }
