@@ -158,6 +158,7 @@ public:
       return std::move(first);
     }
     std::vector<RatedMap> maps;
+    maps.reserve(contenders.size());
     for (const Contender& contender : contenders) {
       maps.push_back({contender.samples.value, confidenceOf(*contender.candidate, contender.samples)});
     }
