@@ -4,7 +4,6 @@
 #pragma once
 
 #include "cloud/cloud_surface.h"
-#include "cloud/working_cloud.h"
 #include "geodesic/neighbour_graph.h"
 #include "geodesic/surface_graph.h"
 
@@ -42,23 +41,15 @@ struct PreparedSurface {
   }
 };
 
-/** \brief What does not depend on how the contacts of a cloud are read. */
-struct UsablePoints {
-  PreparedSurface surface;       ///< without graph; of a cloud also without triangles, and with given normals only
-  NeighbourLists neighbours;     ///< of a cloud
-  std::vector<char> is_oriented; ///< see WorkingCloud; where empty, normals are oriented all or there are none
-};
+/** \brief Keeps the points with a true entry in \a keep, in order, and what refers to them, but for the graph. */
+void
+keepPoints(PreparedSurface& surface, const std::vector<char>& keep);
 
-/** \brief Drops what cannot be used and normalises the rest; goes over to the working points of a cloud.
- * \param[in] surface the input; triangle indices must be in range
- * \param[in] search nearest-neighbour search; used for clouds only
- * \param[in] reading see makeWorkingCloud ()
- */
-UsablePoints
-usablePoints(const Surface& surface,
-             const SymmetryParameters& parameters,
-             const NeighbourSearch& search,
-             NoiseReading reading = NoiseReading::Smooth);
+/** \brief Input points for which no point of the surface stands. */
+std::size_t
+countLeftOut(const PreparedSurface& surface);
+
+struct UsablePoints;
 
 /** \brief Builds the graph and restricts the surface to its largest component.
  * \param[in] contact how readily edges of a cloud are taken for shortcuts

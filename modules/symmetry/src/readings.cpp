@@ -4,6 +4,7 @@
 #include "symmetry/map_confidence.h"
 #include "symmetry/robust_method.h"
 #include "symmetry/staged_method.h"
+#include "symmetry/usable_points.h"
 
 #include <algorithm>
 #include <cmath>

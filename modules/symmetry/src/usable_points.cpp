@@ -1,0 +1,306 @@
+#include "symmetry/usable_points.h"
+
+#include "cloud/merged_sheets.h"
+#include "cloud/working_cloud.h"
+#include "geodesic/median.h"
+#include "geodesic/vector_math.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+void
+dropNonFinitePoints(PreparedSurface& surface)
+{
+  std::vector<char> keep(surface.size());
+  std::transform(surface.points.begin(), surface.points.end(), keep.begin(), isFinite);
+  surface.summary.non_finite = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
+  if (surface.summary.non_finite > 0) {
+    keepPoints(surface, keep);
+  }
+}
+
+/** Drops points of a cloud that are so far from the middle of all that no surface reaches there: at unit scale they
+ * would leave few bits for all others. Medians, since a mean would follow them. */
+void
+dropStrayPoints(PreparedSurface& surface)
+{
+  constexpr double far = 1e4; // times as far from the middle as half of the points
+  if (surface.size() == 0) {
+    return;
+  }
+  std::array<double, 3> middle{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<double> coordinates;
+    for (const Vector3& p : surface.points) {
+      coordinates.push_back(double{p[k]});
+    }
+    middle[k] = median(std::move(coordinates));
+  }
+  std::vector<double> distances;
+  for (const Vector3& p : surface.points) {
+    distances.push_back(std::hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]));
+  }
+  const double typical = median(distances);
+  std::vector<char> keep(surface.size());
+  std::transform(distances.begin(), distances.end(), keep.begin(),
+                 [typical](double d) { return !(typical > 0.0) || d <= far * typical; });
+  const auto stray = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
+  if (stray > 0) {
+    surface.summary.outliers += stray;
+    keepPoints(surface, keep);
+  }
+}
+
+/** Moves the bounding box to the origin and scales its longest side to 1, in double: coordinates may be huge. Points of
+ * a mesh that no face uses are left out of the box: one that is far away would leave few bits for all others. */
+void
+normalizeScale(PreparedSurface& surface)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{infinity, infinity, infinity};
+  std::array<double, 3> high{-infinity, -infinity, -infinity};
+  const auto extend = [&low, &high](const Vector3& p) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], double{p[k]});
+      high[k] = std::max(high[k], double{p[k]});
+    }
+  };
+  if (surface.triangles.empty()) {
+    std::for_each(surface.points.begin(), surface.points.end(), extend);
+  }
+  for (const Triangle& t : surface.triangles) {
+    for (const Index v : t) {
+      extend(surface.points[v]);
+    }
+  }
+  const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  const double scale = extent > 0.0 ? 1.0 / extent : 1.0;
+  for (Vector3& p : surface.points) {
+    for (int k = 0; k < 3; ++k) {
+      p[k] = static_cast<float>((p[k] - 0.5 * (low[k] + high[k])) * scale);
+    }
+  }
+  surface.scale = static_cast<float>(scale);
+}
+
+/** Statistical outlier removal (R. Rusu et al., 2008): drops the points whose mean distance to their neighbours exceeds
+ * the mean of the cloud by more than so many standard deviations. */
+void
+dropOutliers(PreparedSurface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
+{
+  const NeighbourLists lists = search(surface.points, parameters.k_search);
+  std::vector<double> mean_distance(surface.size(), 0.0);
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    std::size_t found = 0;
+    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i, ++found) {
+      mean_distance[v] += distance(surface.points[v], surface.points[lists.neighbours[i]]);
+    }
+    mean_distance[v] /= static_cast<double>(std::max<std::size_t>(found, 1));
+    sum += mean_distance[v];
+    sum_of_squares += mean_distance[v] * mean_distance[v];
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(surface.size(), 1));
+  const double deviation = std::sqrt(std::max(0.0, sum_of_squares / count - (sum / count) * (sum / count)));
+  const double largest = sum / count + double{parameters.outlier_deviations} * deviation;
+  std::vector<char> keep(surface.size());
+  std::transform(mean_distance.begin(), mean_distance.end(), keep.begin(),
+                 [largest](double d) { return d <= largest; });
+  surface.summary.outliers += static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
+  keepPoints(surface, keep);
+}
+
+/** Lets the first of several points at one place stand for all: they would take up each other's neighbours. */
+void
+mergeRepeatedPoints(PreparedSurface& surface)
+{
+  std::vector<Index> order(surface.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](Index a, Index b) { return std::tie(surface.points[a], a) < std::tie(surface.points[b], b); });
+  std::vector<Index> first(surface.size());
+  std::vector<char> keep(surface.size(), 1);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_repeated = i > 0 && surface.points[order[i]] == surface.points[order[i - 1]];
+    first[order[i]] = is_repeated ? first[order[i - 1]] : order[i];
+    keep[order[i]] = static_cast<char>(!is_repeated);
+  }
+  if (std::find(keep.begin(), keep.end(), 0) == keep.end()) {
+    return;
+  }
+  for (Index& representative : surface.representatives) {
+    representative = representative == no_index ? no_index : first[representative];
+  }
+  keepPoints(surface, keep);
+}
+
+/** Goes over to a cloud without outliers and noise, of a size that is solved in a moment, and finds the neighbours of
+ * its points. */
+void
+reduceCloud(UsablePoints& usable,
+            const SymmetryParameters& parameters,
+            const NeighbourSearch& search,
+            NoiseReading reading)
+{
+  constexpr std::size_t most = 60000;
+  PreparedSurface& surface = usable.surface;
+  usable.neighbours = search(surface.points, parameters.k_search);
+  WorkingCloud working = makeWorkingCloud(surface.points, usable.neighbours, most, parameters.threads, reading);
+  if (working.points.size() == surface.size() && working.smoothing_radius == 0.0F && working.normals.empty()) {
+    return;
+  }
+  surface.summary.smoothing_radius = working.smoothing_radius / surface.scale;
+  const std::size_t left_out_before = countLeftOut(surface);
+  for (Index& representative : surface.representatives) {
+    representative = representative == no_index ? no_index : working.representatives[representative];
+  }
+  surface.summary.outliers += countLeftOut(surface) - left_out_before;
+  std::vector<Index> original;
+  std::vector<Vector3> normals;
+  for (const Index v : working.original) {
+    original.push_back(surface.original[v]);
+    if (!surface.normals.empty()) {
+      normals.push_back(surface.normals[v]);
+    }
+  }
+  surface.original = std::move(original);
+  surface.normals = std::move(normals);
+  surface.points = std::move(working.points);
+  if (working.normals.empty()) {
+    usable.neighbours = search(surface.points, parameters.k_search);
+    return;
+  }
+  // Where sheets were parted half of the neighbours are on the other one.
+  usable.neighbours = neighboursOnOwnSheet(search(surface.points, 2 * parameters.k_search), working.normals,
+                                           static_cast<std::size_t>(parameters.k_search));
+  if (surface.normals.empty()) {
+    surface.normals = std::move(working.normals);
+    usable.is_oriented = std::move(working.is_oriented);
+  }
+}
+
+void
+dropDegenerateTriangles(std::vector<Triangle>& triangles)
+{
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                 [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
+                  triangles.end());
+}
+
+/** Keeps the first of several triangles with the same corners, whichever way they turn: doubled faces, as of two-sided
+ * exports, would leave more than two triangles at every edge, which ends every line drawn over the surface. */
+void
+dropRepeatedTriangles(std::size_t n, std::vector<Triangle>& triangles)
+{
+  struct Corners {
+    Index middle;
+    Index highest;
+    std::size_t triangle;
+  };
+  std::vector<Triangle> sorted = triangles;
+  std::vector<std::size_t> offsets(n + 1, 0);
+  for (Triangle& t : sorted) {
+    std::sort(t.begin(), t.end());
+    ++offsets[static_cast<std::size_t>(t[0]) + 1];
+  }
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+
+  // Grouped by the lowest corner and in order within each group, what is equal stands side by side, the first in front.
+  std::vector<Corners> corners(triangles.size());
+  std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    corners[next[sorted[i][0]]++] = {sorted[i][1], sorted[i][2], i};
+  }
+  std::vector<char> repeated(triangles.size(), 0);
+  for (std::size_t v = 0; v < n; ++v) {
+    const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(offsets[v]);
+    const auto end = corners.begin() + static_cast<std::ptrdiff_t>(offsets[v + 1]);
+    std::sort(begin, end, [](const Corners& x, const Corners& y) {
+      return std::tie(x.middle, x.highest, x.triangle) < std::tie(y.middle, y.highest, y.triangle);
+    });
+    for (auto it = begin; it != end; ++it) {
+      repeated[it->triangle] =
+          static_cast<char>(it != begin && it->middle == (it - 1)->middle && it->highest == (it - 1)->highest);
+    }
+  }
+
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (repeated[i] == 0) {
+      triangles[kept++] = triangles[i];
+    }
+  }
+  triangles.resize(kept);
+}
+
+/** Mean of the normals of the faces around each vertex, weighted by area. */
+std::vector<Vector3>
+vertexNormals(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles)
+{
+  std::vector<Vector3> normals(points.size(), Vector3{0.0F, 0.0F, 0.0F});
+  for (const Triangle& t : triangles) {
+    const Vector3 doubled_area = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+    for (const Index v : t) {
+      normals[v] = normals[v] + doubled_area;
+    }
+  }
+  for (Vector3& n : normals) {
+    n = normalized(n);
+  }
+  return normals;
+}
+
+} // namespace
+
+UsablePoints
+usablePoints(const Surface& surface,
+             const SymmetryParameters& parameters,
+             const NeighbourSearch& search,
+             NoiseReading reading)
+{
+  UsablePoints usable;
+  PreparedSurface& prepared = usable.surface;
+  prepared.points = surface.points;
+  prepared.triangles = surface.triangles;
+  prepared.normals = surface.normals;
+  prepared.is_cloud = !surface.hasFaces();
+  prepared.original.resize(surface.size());
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    prepared.original[v] = static_cast<Index>(v);
+  }
+  prepared.representatives = prepared.original;
+  prepared.summary.points = surface.size();
+  prepared.summary.faces = surface.triangles.size();
+
+  dropNonFinitePoints(prepared);
+  dropDegenerateTriangles(prepared.triangles);
+  dropRepeatedTriangles(prepared.size(), prepared.triangles);
+  if (prepared.is_cloud) {
+    dropStrayPoints(prepared);
+  }
+  normalizeScale(prepared);
+  if (!prepared.is_cloud) {
+    prepared.normals = vertexNormals(prepared.points, prepared.triangles);
+    return usable;
+  }
+  mergeRepeatedPoints(prepared);
+  if (parameters.outlier_deviations > 0.0F) {
+    dropOutliers(prepared, parameters, search);
+  }
+  if (parameters.normals == NormalSource::Estimate) {
+    prepared.normals.clear();
+  }
+  reduceCloud(usable, parameters, search, reading);
+  return usable;
+}
+
+} // namespace symmetry
+} // namespace pcl

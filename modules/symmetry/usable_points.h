@@ -1,0 +1,37 @@
+/** \file
+ * \brief The points that a surface is prepared from: what cannot be used is left out, clouds are cleaned and thinned
+ * out.
+ */
+#pragma once
+
+#include "cloud/working_cloud.h"
+#include "geodesic/neighbour_graph.h"
+#include "symmetry/prepared_surface.h"
+
+#include <pcl/symmetry/symmetry_parameters.h>
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief What does not depend on how the contacts of a cloud are read. */
+struct UsablePoints {
+  PreparedSurface surface;       ///< without graph; of a cloud also without triangles, and with given normals only
+  NeighbourLists neighbours;     ///< of a cloud
+  std::vector<char> is_oriented; ///< see WorkingCloud; where empty, normals are oriented all or there are none
+};
+
+/** \brief Drops what cannot be used and normalises the rest; goes over to the working points of a cloud.
+ * \param[in] surface the input; triangle indices must be in range
+ * \param[in] search nearest-neighbour search; used for clouds only
+ * \param[in] reading see makeWorkingCloud ()
+ */
+UsablePoints
+usablePoints(const Surface& surface,
+             const SymmetryParameters& parameters,
+             const NeighbourSearch& search,
+             NoiseReading reading = NoiseReading::Smooth);
+
+} // namespace symmetry
+} // namespace pcl
