@@ -76,8 +76,16 @@ struct MapEvidence {
 float
 mapConfidence(const MapEvidence& evidence);
 
-/** \brief A reflection of lower confidence is none: one side has what the other lacks. */
-constexpr float least_map_confidence = 0.35F;
+/** \brief How much of what speaks against a map holes may explain, in [0, 1]: nothing where hardly a sample is at one.
+ * \param[in] at_holes share of the samples into whose cells holes reach */
+float
+weightOfHoles(float at_holes);
+
+/** \brief A reflection of lower confidence is none: one side has what the other lacks. 0.35; less where holes hide what
+ * would tell, down to 0.15.
+ * \param[in] known_holes share of the samples into whose cells holes reach, where faces tell */
+float
+leastMapConfidence(float known_holes);
 
 /** \brief Share of the confidence that is left to a map that is not handed out: what spoke against it counts as well.
  */
@@ -95,9 +103,10 @@ struct RatedMap {
  * map that is not refused is taken; the first one if all are. The value has the logarithm of the misfit in it: a map
  * that fits worse than the first one by a factor has a confidence lower by the square of that factor.
  *
- * \param[in] maps at least one, the best first */
+ * \param[in] maps at least one, the best first
+ * \param[in] least confidence below which a map is refused */
 std::pair<std::size_t, float>
-bestTrustedMap(const std::vector<RatedMap>& maps);
+bestTrustedMap(const std::vector<RatedMap>& maps, float least);
 
 /** \brief Confidence of every point: that of the map, lowered where distances to other samples change.
  *

@@ -24,7 +24,7 @@ namespace symmetry {
 struct PreparedSurface {
   std::vector<Vector3> points;
   std::vector<Triangle> triangles; ///< without degenerate and repeated ones; of a cloud: local Delaunay triangles
-  bool is_cloud = false;           ///< the input had no faces: triangles are no manifold
+  bool is_cloud = false;           ///< faces of the input, if any, were not used: triangles are no manifold
   std::vector<Vector3> normals;    ///< consistently oriented (outward or inward), unit length
   SurfaceGraph graph;              ///< mesh edges, or a neighbour graph of the cloud
   std::vector<Index> original;     ///< input index of each point

@@ -46,7 +46,8 @@ public:
    *
    * Its confidence becomes the geometric mean of its own and the mean of all readings, in which those that found
    * another map or none count 0: out of many tries at a body without symmetry one may look like some. If less than
-   * 0.25 is left, of a cloud with noise or with points at random places 0.15, no symmetry was found. */
+   * 0.25 is left, of a mesh with many holes 0.2, of a cloud with noise or with points at random places 0.15, no symmetry
+   * was found. */
   Reading
   takeBest();
 
@@ -83,8 +84,10 @@ private:
 
 /** \brief Reads a surface in one way after another until the result is settled.
  *
- * A mesh is read once. A cloud leaves open which points touch and which are connected, and a noisy one also where the
- * surface is.
+ * A mesh is read once; in doubt, if there are holes in it, also as the cloud of its vertices: holes part what belongs
+ * together and lead distances astray. A cloud leaves open which points touch and which are connected, and a noisy one
+ * also where the surface is.
+ *
  * \param[out] summary what was used, also if the timer cancels
  * \throws Cancelled by the timer */
 Reading

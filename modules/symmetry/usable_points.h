@@ -22,16 +22,22 @@ struct UsablePoints {
   std::vector<char> is_oriented; ///< see WorkingCloud; where empty, normals are oriented all or there are none
 };
 
+/** \brief What the faces of a mesh are used for: how its points hang together, or only where they face. A mesh with
+ * holes is in pieces where as a cloud it would be bridged. */
+enum class FaceUse : char { Connection, Normals };
+
 /** \brief Drops what cannot be used and normalises the rest; goes over to the working points of a cloud.
  * \param[in] surface the input; triangle indices must be in range
  * \param[in] search nearest-neighbour search; used for clouds only
  * \param[in] reading see makeWorkingCloud ()
+ * \param[in] faces Normals: the vertices of a mesh become a cloud; those of no face are left out
  */
 UsablePoints
 usablePoints(const Surface& surface,
              const SymmetryParameters& parameters,
              const NeighbourSearch& search,
-             NoiseReading reading = NoiseReading::Smooth);
+             NoiseReading reading = NoiseReading::Smooth,
+             FaceUse faces = FaceUse::Connection);
 
 } // namespace symmetry
 } // namespace pcl

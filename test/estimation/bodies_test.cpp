@@ -261,6 +261,32 @@ TEST_P(BodyWithHolesTest, HasNoneWithoutAnArm)
   EXPECT_EQ(result.status, SymmetryStatus::NoSymmetry);
 }
 
+/** Holes cut through a bird's wings: along the faces that are left its map is no isometry. */
+TEST(MeshWithHoles, IsReadAsACloudWhereItsFacesDoNotHangTogether)
+{
+  ModelParameters parameters;
+  parameters.body = Body::Bird;
+  parameters.vertices = 6000;
+  parameters.seed = 5;
+  Model model = makeModel(parameters);
+  const SymmetryResult whole = estimateIntrinsicSymmetry(model.surface);
+  EXPECT_FALSE(whole.input.read_as_cloud);
+  cutHoles(model, 20, 0.2, 5);
+  const SymmetryResult result = estimateIntrinsicSymmetry(model.surface);
+  ASSERT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  EXPECT_TRUE(result.input.read_as_cloud);
+  EXPECT_EQ(result.input.faces, model.surface.triangles.size());
+  EXPECT_GE(correspondenceRate(mapErrors(model, result.partners)), 0.9);
+}
+
+/** What is missing is no hole: the body is closed where the arm should be. */
+TEST(MeshWithHoles, IsNoneThatLacksAnArm)
+{
+  const SymmetryResult result = estimateIntrinsicSymmetry(body(Body::MissingArm, 0.7, 2).surface);
+  EXPECT_EQ(result.status, SymmetryStatus::NoSymmetry);
+  EXPECT_FALSE(result.input.read_as_cloud);
+}
+
 INSTANTIATE_TEST_SUITE_P(Input, BodyWithHolesTest, testing::Bool(), [](const auto& tested) {
   return tested.param ? "Cloud" : "Mesh";
 });

@@ -221,7 +221,7 @@ TEST(MapConfidence, RefusesAMapFromHeadToTail)
   evidence.worst_distance = 0.0649F;
   evidence.at_holes = 0.206F;
   evidence.spacing = {0.0126F, 1.72F};
-  EXPECT_LT(mapConfidence(evidence), least_map_confidence);
+  EXPECT_LT(mapConfidence(evidence), leastMapConfidence(0.0F));
 }
 
 TEST(MapConfidence, DoubtsStretchInOnePlaceMoreThanStretchEverywhere)
@@ -276,18 +276,26 @@ TEST(MeasureSpacing, HasTheSparseSamplesAndTheUsualIrregularity)
 TEST(BestTrustedMap, IsTheFirstThatIsNotRefused)
 {
   using Choice = std::pair<std::size_t, float>;
-  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.5F}, {-4.0F, 0.9F}}), Choice(0, 0.5F));
-  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.1F}, {-4.0F, 0.2F}, {-4.0F, 0.6F}, {-4.0F, 0.9F}}), Choice(2, 0.6F));
-  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.1F}, {-4.0F, 0.3F}}), Choice(0, 0.1F)) << "all refused";
+  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.5F}, {-4.0F, 0.9F}}, 0.35F), Choice(0, 0.5F));
+  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.1F}, {-4.0F, 0.2F}, {-4.0F, 0.6F}, {-4.0F, 0.9F}}, 0.35F), Choice(2, 0.6F));
+  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.1F}, {-4.0F, 0.3F}}, 0.35F), Choice(0, 0.1F)) << "all refused";
 }
 
 TEST(BestTrustedMap, TrustsLessWhatFitsWorse)
 {
   const float half_more_misfit = std::log(1.5F);
-  const auto [number, confidence] = bestTrustedMap({{-4.0F, 0.1F}, {-4.0F + half_more_misfit, 0.9F}});
+  const auto [number, confidence] = bestTrustedMap({{-4.0F, 0.1F}, {-4.0F + half_more_misfit, 0.9F}}, 0.35F);
   EXPECT_EQ(number, 1U);
   EXPECT_NEAR(confidence, 0.4F, 1e-5F);
-  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.1F}, {-4.0F + half_more_misfit, 0.7F}}).first, 0U) << "refused as well";
+  EXPECT_EQ(bestTrustedMap({{-4.0F, 0.1F}, {-4.0F + half_more_misfit, 0.7F}}, 0.35F).first, 0U) << "refused as well";
+}
+
+TEST(LeastMapConfidence, IsLowerWhereThereAreHoles)
+{
+  EXPECT_FLOAT_EQ(leastMapConfidence(0.0F), 0.35F);
+  EXPECT_FLOAT_EQ(leastMapConfidence(0.01F), 0.35F) << "hardly a hole";
+  EXPECT_FLOAT_EQ(leastMapConfidence(0.05F), 0.25F);
+  EXPECT_FLOAT_EQ(leastMapConfidence(0.3F), 0.15F) << "as much as holes can excuse";
 }
 
 TEST(MapConfidence, IsBounded)

@@ -2,6 +2,7 @@
 #include "geodesic/vector_math.h"
 #include "support/graphs.h"
 #include "symmetry/prepared_surface.h"
+#include "symmetry/usable_points.h"
 
 #include <gtest/gtest.h>
 
@@ -126,6 +127,30 @@ represented(const PreparedSurface& prepared)
 // In the unit of the input.
 constexpr float cloud_radius = 40.0F;
 constexpr float noise = 1.0F;
+
+TEST(UsablePoints, OfAMeshWithoutItsConnectionsAreItsVerticesWithTheNormalsOfItsFaces)
+{
+  Surface mesh = sphereMesh(3);
+  mesh.points.insert(mesh.points.begin(), {{0.2F, 0.1F, 0.0F}, {0.2F, 0.1F, 0.0F}}); // of no face
+  for (Triangle& t : mesh.triangles) {
+    t = {t[0] + 2, t[1] + 2, t[2] + 2};
+  }
+  const UsablePoints usable =
+      usablePoints(mesh, SymmetryParameters{}, nearestNeighbours, NoiseReading::Close, FaceUse::Normals);
+  EXPECT_TRUE(usable.surface.is_cloud);
+  EXPECT_TRUE(usable.surface.triangles.empty());
+  EXPECT_TRUE(usable.surface.summary.read_as_cloud);
+  EXPECT_EQ(usable.surface.summary.faces, mesh.triangles.size());
+  ASSERT_EQ(usable.surface.size(), mesh.size() - 2);
+  ASSERT_EQ(usable.surface.normals.size(), usable.surface.size());
+  for (std::size_t v = 0; v < usable.surface.size(); ++v) {
+    EXPECT_EQ(usable.surface.original[v], static_cast<Index>(v + 2));
+    EXPECT_GT(dot(usable.surface.normals[v], normalized(usable.surface.points[v])), 0.99F);
+  }
+  const PreparedSurface prepared = prepareSurface(usable, SymmetryParameters{}, ContactTest{});
+  EXPECT_EQ(prepared.size(), usable.surface.size());
+  EXPECT_EQ(prepared.summary.components, 1U);
+}
 
 TEST(PreparedSurfaceRepresentatives, AreTheVerticesThemselvesOnAMesh)
 {

@@ -189,6 +189,20 @@ TEST(RivalReadings, PointsAtRandomPlacesExcuseReadingsThatFindNothing)
   }
 }
 
+TEST(RivalReadings, HolesInAMeshExcuseReadingsThatFindNothing)
+{
+  for (const float holes : {0.0F, 0.1F}) {
+    RivalReadings rivals;
+    for (int i = 0; i < 3; ++i) {
+      rivals.add(readingOf(0, 0.01F, SymmetryStatus::NoSymmetry));
+    }
+    Reading found = readingOf(0, 0.44F); // 0.22 with the others
+    found.estimate.known_holes = holes;
+    rivals.add(std::move(found));
+    EXPECT_EQ(rivals.takeBest().estimate.status, holes > 0.0F ? SymmetryStatus::Symmetric : SymmetryStatus::NoSymmetry);
+  }
+}
+
 TEST(RivalReadings, PointsAreTrustedAsTheMapIs)
 {
   RivalReadings rivals;

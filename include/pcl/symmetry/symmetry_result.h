@@ -60,6 +60,7 @@ struct InputSummary {
   std::size_t components = 0;       ///< connected components among the finite points
   std::size_t bridges = 0;          ///< edges added between parts of a cloud
   std::size_t distrusted_edges = 0; ///< edges removed from a cloud's graph as shortcuts between parts in contact
+  bool read_as_cloud = false;       ///< of a mesh: its faces told normals only, as holes or cracks run through it
   float smoothing_radius = 0.0F;    ///< radius of the planes that a noisy cloud was smoothed by; 0: it was not
 };
 

@@ -76,6 +76,7 @@ describeInput(const std::string& file, const InputSummary& input)
           {"components", input.components},
           {"bridges", input.bridges},
           {"distrusted_edges", input.distrusted_edges},
+          {"read_as_cloud", input.read_as_cloud},
           {"smoothing_radius", toJson(input.smoothing_radius)}};
 }
 

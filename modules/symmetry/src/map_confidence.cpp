@@ -24,12 +24,9 @@ evidenceFromGaps(const MapEvidence& evidence)
 {
   constexpr float usual_spacing = 0.011F;
   constexpr float even = 1.4F;
-  constexpr float few_at_holes = 0.02F;
-  constexpr float many_at_holes = 0.08F;
   const float gaps = std::clamp((evidence.spacing.irregularity - even) / (random_irregularity - even), 0.0F, 1.0F);
-  const float holes = std::clamp((evidence.at_holes - few_at_holes) / (many_at_holes - few_at_holes), 0.0F, 1.0F);
-  return 1.2F * gaps * std::log(std::max(1.0F, evidence.spacing.sparse / usual_spacing)) + holes +
-         (evidence.is_noisy ? 0.7F : 0.0F);
+  return 1.2F * gaps * std::log(std::max(1.0F, evidence.spacing.sparse / usual_spacing)) +
+         weightOfHoles(evidence.at_holes) + (evidence.is_noisy ? 0.7F : 0.0F);
 }
 
 bool
@@ -120,12 +117,28 @@ mapConfidence(const MapEvidence& evidence)
       25.6F * fixed_beyond - 10.0F * distorted_beyond + evidenceFromGaps(evidence));
 }
 
+float
+weightOfHoles(float at_holes)
+{
+  constexpr float few = 0.02F;
+  constexpr float many = 0.08F;
+  return std::clamp((at_holes - few) / (many - few), 0.0F, 1.0F);
+}
+
+float
+leastMapConfidence(float known_holes)
+{
+  constexpr float usual = 0.35F;
+  constexpr float with_many_holes = 0.15F;
+  return usual - (usual - with_many_holes) * weightOfHoles(known_holes);
+}
+
 std::pair<std::size_t, float>
-bestTrustedMap(const std::vector<RatedMap>& maps)
+bestTrustedMap(const std::vector<RatedMap>& maps, float least)
 {
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const float confidence = maps[i].confidence * std::exp(2.0F * (maps[0].value - maps[i].value));
-    if (confidence >= least_map_confidence) {
+    if (confidence >= least) {
       return {i, confidence};
     }
   }

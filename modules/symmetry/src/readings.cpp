@@ -95,6 +95,17 @@ isUncertain(const PreparedSurface& surface)
   return measureSpacing(surface.graph, probed, 1.0F).irregularity >= random_irregularity;
 }
 
+/** Below this confidence after several readings there is no symmetry. */
+float
+leastOfSeveralReadings(const Reading& reading)
+{
+  constexpr float uncertain = 0.15F;
+  constexpr float with_many_holes = 0.2F;
+  constexpr float usual = 0.25F;
+  return isUncertain(reading.surface) ? uncertain
+                                      : usual - (usual - with_many_holes) * weightOfHoles(reading.estimate.known_holes);
+}
+
 /** Reads one surface in several ways. */
 class Reader {
 public:
@@ -110,10 +121,10 @@ public:
   /** Reads the noise in one way and contacts in several, until the result is settled.
    * \param[in] depths see contactTests () */
   void
-  read(NoiseReading noise, const std::vector<float>& depths = {})
+  read(NoiseReading noise, const std::vector<float>& depths = {}, FaceUse faces = FaceUse::Connection)
   {
     timer_.start("graph", 0.0);
-    const UsablePoints usable = usablePoints(surface_, parameters_, search_, noise);
+    const UsablePoints usable = usablePoints(surface_, parameters_, search_, noise, faces);
     for (const ContactTest& contact : contactTests(usable.surface, parameters_, depths)) {
       if (!past_.isNew(usable.surface, contact)) {
         continue; // it would speak twice
@@ -216,10 +227,8 @@ RivalReadings::best() const
 Reading
 RivalReadings::takeBest()
 {
-  constexpr float least_if_uncertain = 0.15F;
-  constexpr float least_usually = 0.25F;
   Rival& best = rivals_[bestRival()];
-  const float least_confidence = isUncertain(best.reading.surface) ? least_if_uncertain : least_usually;
+  const float least_confidence = leastOfSeveralReadings(best.reading);
   MapEstimate& estimate = best.reading.estimate;
   if (estimate.status == SymmetryStatus::Symmetric && readings_ > 1) {
     const float agreement = best.evidence / static_cast<float>(readings_);
@@ -230,7 +239,7 @@ RivalReadings::takeBest()
     }
     if (estimate.confidence < least_confidence) {
       estimate.status = SymmetryStatus::NoSymmetry;
-      estimate.message = "hardly any way to read the points of the cloud shows a symmetry";
+      estimate.message = "hardly any way to read the points shows a symmetry";
     }
   }
   return std::move(best.reading);
@@ -257,7 +266,13 @@ bestReading(const Surface& surface,
   Reader reader(surface, parameters, search, timer, summary);
   RivalReadings& rivals = reader.rivals();
   reader.read(NoiseReading::Close);
-  if (surface.hasFaces() || parameters.method == Method::Staged || rivals.isSettled()) {
+  if (parameters.method == Method::Staged || rivals.isSettled()) {
+    return rivals.takeBest();
+  }
+  if (surface.hasFaces()) {
+    if (weightOfHoles(rivals.best().estimate.known_holes) > 0.0F) {
+      reader.read(NoiseReading::Close, {}, FaceUse::Normals);
+    }
     return rivals.takeBest();
   }
   if (summary.smoothing_radius == 0.0F) {

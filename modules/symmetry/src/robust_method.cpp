@@ -154,7 +154,8 @@ public:
     std::vector<Contender> contenders = refinedContenders(candidates);
     Contender& first = contenders.front();
     first.confidence = confidenceOf(*first.candidate, first.samples);
-    if (!surface_.is_cloud || first.confidence >= least_map_confidence) {
+    const float least = leastMapConfidence(knownHoles());
+    if (!surface_.is_cloud || first.confidence >= least) {
       return std::move(first);
     }
     std::vector<RatedMap> maps;
@@ -162,9 +163,16 @@ public:
     for (const Contender& contender : contenders) {
       maps.push_back({contender.samples.value, confidenceOf(*contender.candidate, contender.samples)});
     }
-    const auto [number, confidence] = bestTrustedMap(maps);
+    const auto [number, confidence] = bestTrustedMap(maps, least);
     contenders[number].confidence = confidence;
     return std::move(contenders[number]);
+  }
+
+  /** Share of the samples at holes where faces tell: sparse points have gaps that look alike. */
+  float
+  knownHoles() const
+  {
+    return surface_.is_cloud && !surface_.summary.read_as_cloud ? 0.0F : share_at_holes_;
   }
 
   float
@@ -302,8 +310,9 @@ estimateRobust(const PreparedSurface& surface,
   timer.start("matching", 0.7);
   const RobustEstimation estimation(surface, model, parameters, settings);
   const Contender best = estimation.bestContender(candidates);
+  estimate.known_holes = estimation.knownHoles();
   estimate.confidence = confidence_of_refused * best.confidence;
-  if (best.confidence < least_map_confidence) {
+  if (best.confidence < leastMapConfidence(estimate.known_holes)) {
     if (isReflection(best.samples.score) || isReflection(best.candidate->score)) {
       estimate.message = "the best reflection of the surface fails in one place: one side has what the other lacks";
     }

@@ -258,13 +258,28 @@ vertexNormals(const std::vector<Vector3>& points, const std::vector<Triangle>& t
   return normals;
 }
 
+/** Goes over from a mesh with normals to the cloud of its vertices. */
+void
+dropFaces(PreparedSurface& surface)
+{
+  surface.triangles.clear();
+  surface.is_cloud = true;
+  surface.summary.read_as_cloud = true;
+  std::vector<char> keep(surface.size());
+  std::transform(surface.normals.begin(), surface.normals.end(), keep.begin(), [](const Vector3& n) {
+    return n != Vector3{0.0F, 0.0F, 0.0F};
+  });
+  keepPoints(surface, keep);
+}
+
 } // namespace
 
 UsablePoints
 usablePoints(const Surface& surface,
              const SymmetryParameters& parameters,
              const NeighbourSearch& search,
-             NoiseReading reading)
+             NoiseReading reading,
+             FaceUse faces)
 {
   UsablePoints usable;
   PreparedSurface& prepared = usable.surface;
@@ -281,21 +296,26 @@ usablePoints(const Surface& surface,
   prepared.summary.faces = surface.triangles.size();
 
   dropNonFinitePoints(prepared);
-  dropDegenerateTriangles(prepared.triangles);
-  dropRepeatedTriangles(prepared.size(), prepared.triangles);
   if (prepared.is_cloud) {
     dropStrayPoints(prepared);
+  }
+  else {
+    dropDegenerateTriangles(prepared.triangles);
+    dropRepeatedTriangles(prepared.size(), prepared.triangles);
   }
   normalizeScale(prepared);
   if (!prepared.is_cloud) {
     prepared.normals = vertexNormals(prepared.points, prepared.triangles);
-    return usable;
+    if (faces == FaceUse::Connection) {
+      return usable;
+    }
+    dropFaces(prepared);
   }
   mergeRepeatedPoints(prepared);
   if (parameters.outlier_deviations > 0.0F) {
     dropOutliers(prepared, parameters, search);
   }
-  if (parameters.normals == NormalSource::Estimate) {
+  if (parameters.normals == NormalSource::Estimate && !surface.hasFaces()) {
     prepared.normals.clear();
   }
   reduceCloud(usable, parameters, search, reading);
