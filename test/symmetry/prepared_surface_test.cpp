@@ -85,6 +85,32 @@ TEST(PreparedSurface, FacesThatComeTwiceAreTakenOnce)
   EXPECT_EQ(prepare(doubled).triangles, grid.triangles);
 }
 
+/** As exporters write textures: every face with corners of its own. */
+TEST(PreparedSurface, VerticesThatAreRepeatedForEveryFaceAreOne)
+{
+  const Surface mesh = gridMesh(7, 5);
+  Surface soup;
+  for (const Triangle& t : mesh.triangles) {
+    Triangle corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = static_cast<Index>(soup.points.size());
+      soup.points.push_back(mesh.points[t[k]]);
+    }
+    soup.triangles.push_back(corners);
+  }
+  const PreparedSurface prepared = prepare(soup);
+  ASSERT_EQ(prepared.size(), mesh.size());
+  EXPECT_EQ(prepared.triangles.size(), mesh.triangles.size());
+  EXPECT_EQ(prepared.summary.components, 1U);
+  EXPECT_EQ(prepared.summary.used, soup.size());
+  const Vector3 origin =
+      prepared.points[0] - prepared.scale * soup.points[static_cast<std::size_t>(prepared.original[0])];
+  for (std::size_t v = 0; v < soup.size(); ++v) {
+    const Vector3& stands_for_it = prepared.points[static_cast<std::size_t>(prepared.representatives[v])];
+    EXPECT_LT(distance(stands_for_it, origin + prepared.scale * soup.points[v]), 1e-6F);
+  }
+}
+
 TEST(PreparedSurface, GraphIsThatOfTheMeshAtItsScale)
 {
   const Surface grid = gridMesh(7, 5);

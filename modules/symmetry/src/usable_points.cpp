@@ -118,7 +118,8 @@ dropOutliers(PreparedSurface& surface, const SymmetryParameters& parameters, con
   keepPoints(surface, keep);
 }
 
-/** Lets the first of several points at one place stand for all: they would take up each other's neighbours. */
+/** Lets the first of several points at one place stand for all: in a cloud they would take up each other's neighbours,
+ * and a mesh falls apart at the seams of its texture, where exporters repeat the vertices. */
 void
 mergeRepeatedPoints(PreparedSurface& surface)
 {
@@ -138,6 +139,9 @@ mergeRepeatedPoints(PreparedSurface& surface)
   }
   for (Index& representative : surface.representatives) {
     representative = representative == no_index ? no_index : first[representative];
+  }
+  for (Triangle& t : surface.triangles) {
+    t = {first[t[0]], first[t[1]], first[t[2]]};
   }
   keepPoints(surface, keep);
 }
@@ -300,6 +304,7 @@ usablePoints(const Surface& surface,
     dropStrayPoints(prepared);
   }
   else {
+    mergeRepeatedPoints(prepared);
     dropDegenerateTriangles(prepared.triangles);
     dropRepeatedTriangles(prepared.size(), prepared.triangles);
   }
