@@ -33,23 +33,27 @@ struct ContactTest {
   /** Whether estimated normals are those of one sheet (sheet_normals.h), for points without noise: edges between two
    * sheets bend more, and so do those of thin parts. */
   bool sheet_normals = false;
+  /** Largest sine of the angle, the mean of both ends, at which a trusted edge leaves the tangent planes of its ends to
+   * the same side, as it does between two parallel sheets even if the normals of one are turned the wrong way; on a
+   * bend of one sheet it leaves them to opposite sides. */
+  float step = 1.0F;
 
   bool
   operator==(const ContactTest& other) const
   {
-    return bend == other.bend && detour == other.detour && depth == other.depth && sheet_normals == other.sheet_normals;
+    return bend == other.bend && detour == other.detour && depth == other.depth &&
+           sheet_normals == other.sheet_normals && step == other.step;
   }
 };
 
 /** \brief Builds graph, normals and triangles of a cloud.
  *
  * An edge of the k-nearest-neighbour graph is distrusted where it runs along a normal instead of along the surface
- * (it leads to another part in contact), or where the oriented normals at its ends differ much, unless the way along
- * trusted edges is hardly longer. Parts that the plain graph joins and the remaining one does not are joined again by
- * their shortest distrusted edges; parts that even the plain graph leaves apart, by links across the gap between them.
- * \param[in] points all finite
- * \param[in] lists k nearest neighbours
- * \param[in] given_normals used instead of estimated ones; may be empty
+ * (it leads to another part in contact), or from one sheet to a parallel one, or where the oriented normals at its ends
+ * differ much, unless the way along trusted edges is hardly longer. Parts that the plain graph joins and the remaining
+ * one does not are joined again by their shortest distrusted edges; parts that even the plain graph leaves apart, by
+ * links across the gap between them. \param[in] points all finite \param[in] lists k nearest neighbours \param[in]
+ * given_normals used instead of estimated ones; may be empty
  *
  * \param[in] radius longest edge, 0: no limit
  *

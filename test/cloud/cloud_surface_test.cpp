@@ -263,6 +263,37 @@ TEST(CloudSurface, SharpEdgesStayConnected)
   EXPECT_LT(worst, 1.3F);
 }
 
+/** Two sheets half a spacing apart, the normals of one turned the wrong way: the normals agree where they should not.
+ */
+TEST(CloudSurface, AStepLeadsToAParallelSheetWhicheverWayItsNormalsAreTurned)
+{
+  constexpr int n = 30;
+  constexpr float gap = 0.5F / n;
+  for (const float turned : {1.0F, -1.0F}) {
+    std::vector<Vector3> points = sheet(n, 0.0F, 3);
+    std::vector<Vector3> normals(points.size(), Vector3{0.0F, 0.0F, 1.0F});
+    const std::size_t first_of_other = points.size();
+    for (const Vector3& p : sheet(n, gap, 4)) {
+      points.push_back(p);
+      normals.push_back({0.0F, 0.0F, turned});
+    }
+    const auto across = [&](const ContactTest& contact) {
+      return edgesAcross(buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, contact, 1).graph,
+                         first_of_other);
+    };
+    const std::size_t all = edgesAcross(plainGraph(points), first_of_other);
+    ASSERT_GT(all, points.size());
+    EXPECT_EQ(across({0.85F, 6.0F, 0.0F, false, 0.15F}), 1U) << "the one that joins them";
+    EXPECT_EQ(across({0.85F, 6.0F}) > all / 4, turned > 0.0F);
+  }
+}
+
+TEST(CloudSurface, ABendIsNoStep)
+{
+  const std::vector<Vector3> points = sphereCloud(300, 0.1F);
+  EXPECT_EQ(surfaceOf(points, {0.0F, 1.0F, 0.0F, false, 0.15F}).distrusted_edges, 0U);
+}
+
 TEST(CloudSurface, LargerDetourTrustsMoreEdges)
 {
   const std::vector<Vector3> points = cubeCloud(20, 5);

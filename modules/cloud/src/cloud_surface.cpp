@@ -125,6 +125,21 @@ separateEdges(std::vector<GraphEdge>& trusted,
   moveEdges(trusted, distrusted, threads, [&is_shortcut] { return is_shortcut; });
 }
 
+/** How an edge lies to the tangent planes of its ends, as sines of angles, whichever way the normals are turned. */
+struct EdgeSlope {
+  float steepest = 0.0F; ///< at the end where it is steeper
+  float step = 0.0F;     ///< see ContactTest::step
+};
+
+EdgeSlope
+slopeOf(const GraphEdge& edge, const std::vector<Vector3>& points, const std::vector<Vector3>& normals)
+{
+  const Vector3 direction = normalized(points[edge.b] - points[edge.a]);
+  const float at_a = dot(direction, normals[edge.a]);
+  const float at_b = std::copysign(1.0F, dot(normals[edge.a], normals[edge.b])) * dot(direction, normals[edge.b]);
+  return {std::max(std::abs(at_a), std::abs(at_b)), 0.5F * std::abs(at_a + at_b)};
+}
+
 /** Moves the shortest distrusted edges between parts that the trusted ones do not join to these; the number of them. */
 std::size_t
 bridgeParts(std::size_t n, std::vector<GraphEdge>& trusted, std::vector<GraphEdge>& distrusted)
@@ -336,10 +351,9 @@ buildCloudSurface(const std::vector<Vector3>& points,
   separateEdges(trusted, distrusted, threads, [&](const GraphEdge& edge) {
     constexpr float steep = 0.7F;
     constexpr float short_edge = 0.5F; // noise may well point along the normal within the spacing
-    const Vector3 direction = normalized(points[edge.b] - points[edge.a]);
-    const float along =
-        std::max(std::abs(dot(direction, cloud.normals[edge.a])), std::abs(dot(direction, cloud.normals[edge.b])));
-    return along > steep && edge.length > short_edge * std::min(spacing[edge.a], spacing[edge.b]);
+    const EdgeSlope slope = slopeOf(edge, points, cloud.normals);
+    return slope.step > contact.step ||
+           (slope.steepest > steep && edge.length > short_edge * std::min(spacing[edge.a], spacing[edge.b]));
   });
   if (given_normals.empty() || !is_oriented.empty()) {
     std::vector<GraphEdge> whole = trusted;

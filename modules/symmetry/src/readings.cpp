@@ -71,7 +71,7 @@ contactTests(const PreparedSurface& surface, const SymmetryParameters& parameter
   const bool is_precise = surface.summary.smoothing_radius == 0.0F && surface.size() >= many_points;
   std::vector<ContactTest> tests;
   if (depths.empty() && is_precise) {
-    tests.push_back({0.85F, 6.0F, 0.5F, true});
+    tests.push_back({0.85F, 6.0F, 0.5F, true, 0.15F});
   }
   for (const float depth : depths.empty() ? std::vector<float>{0.0F} : depths) {
     tests.insert(tests.end(), {{0.5F, 3.0F, depth}, {0.8F, 4.0F, depth}, {0.95F, 8.0F, depth}});
