@@ -35,7 +35,7 @@ struct ContactTest {
   bool sheet_normals = false;
   /** Largest sine of the angle, the mean of both ends, at which a trusted edge leaves the tangent planes of its ends to
    * the same side, as it does between two parallel sheets even if the normals of one are turned the wrong way; on a
-   * bend of one sheet it leaves them to opposite sides. */
+   * bend of one sheet it leaves them to opposite sides. At least five times the median of all edges. */
   float step = 1.0F;
 
   bool

@@ -263,7 +263,8 @@ TEST(CloudSurface, SharpEdgesStayConnected)
   EXPECT_LT(worst, 1.3F);
 }
 
-/** Two sheets half a spacing apart, the normals of one turned the wrong way: the normals agree where they should not.
+/** Two sheets that overlap, half a spacing apart, the normals of one turned the wrong way: the normals agree where they
+ * should not.
  */
 TEST(CloudSurface, AStepLeadsToAParallelSheetWhicheverWayItsNormalsAreTurned)
 {
@@ -274,7 +275,7 @@ TEST(CloudSurface, AStepLeadsToAParallelSheetWhicheverWayItsNormalsAreTurned)
     std::vector<Vector3> normals(points.size(), Vector3{0.0F, 0.0F, 1.0F});
     const std::size_t first_of_other = points.size();
     for (const Vector3& p : sheet(n, gap, 4)) {
-      points.push_back(p);
+      points.push_back(p + Vector3{0.75F, 0.0F, 0.0F});
       normals.push_back({0.0F, 0.0F, turned});
     }
     const auto across = [&](const ContactTest& contact) {
@@ -282,10 +283,25 @@ TEST(CloudSurface, AStepLeadsToAParallelSheetWhicheverWayItsNormalsAreTurned)
                          first_of_other);
     };
     const std::size_t all = edgesAcross(plainGraph(points), first_of_other);
-    ASSERT_GT(all, points.size());
+    ASSERT_GT(all, points.size() / 2);
     EXPECT_EQ(across({0.85F, 6.0F, 0.0F, false, 0.15F}), 1U) << "the one that joins them";
     EXPECT_EQ(across({0.85F, 6.0F}) > all / 4, turned > 0.0F);
   }
+}
+
+/** Heights in steps of a fifth of the spacing: whatever is rough all over is no contact. */
+TEST(CloudSurface, RoughnessIsNoStep)
+{
+  constexpr int n = 30;
+  std::mt19937 random(7);
+  std::vector<Vector3> points = sheet(n, 0.0F, 3);
+  for (Vector3& p : points) {
+    p[2] = 0.2F / n * std::round(evenly(random, -1.0F, 1.0F));
+  }
+  const std::vector<Vector3> normals(points.size(), Vector3{0.0F, 0.0F, 1.0F});
+  const CloudSurface surface =
+      buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {0.85F, 1.0F, 0.0F, false, 0.15F}, 1);
+  EXPECT_EQ(surface.distrusted_edges, 0U);
 }
 
 TEST(CloudSurface, ABendIsNoStep)

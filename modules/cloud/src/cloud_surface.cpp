@@ -140,6 +140,24 @@ slopeOf(const GraphEdge& edge, const std::vector<Vector3>& points, const std::ve
   return {std::max(std::abs(at_a), std::abs(at_b)), 0.5F * std::abs(at_a + at_b)};
 }
 
+/** The largest step of an edge that is trusted: more where the points are rough, as by rounding or where they are few.
+ */
+float
+largestStep(const std::vector<GraphEdge>& edges,
+            const std::vector<Vector3>& points,
+            const std::vector<Vector3>& normals,
+            const ContactTest& contact)
+{
+  constexpr float beyond_usual = 5.0F;
+  if (contact.step >= 1.0F || edges.empty()) {
+    return 1.0F; // that of no edge is larger
+  }
+  std::vector<float> steps(edges.size());
+  std::transform(edges.begin(), edges.end(), steps.begin(),
+                 [&](const GraphEdge& edge) { return slopeOf(edge, points, normals).step; });
+  return std::max(contact.step, beyond_usual * median(std::move(steps)));
+}
+
 /** Moves the shortest distrusted edges between parts that the trusted ones do not join to these; the number of them. */
 std::size_t
 bridgeParts(std::size_t n, std::vector<GraphEdge>& trusted, std::vector<GraphEdge>& distrusted)
@@ -348,11 +366,12 @@ buildCloudSurface(const std::vector<Vector3>& points,
 
   std::vector<GraphEdge> trusted = edgesOf(plain);
   std::vector<GraphEdge> distrusted;
+  const float largest_step = largestStep(trusted, points, cloud.normals, contact);
   separateEdges(trusted, distrusted, threads, [&](const GraphEdge& edge) {
     constexpr float steep = 0.7F;
     constexpr float short_edge = 0.5F; // noise may well point along the normal within the spacing
     const EdgeSlope slope = slopeOf(edge, points, cloud.normals);
-    return slope.step > contact.step ||
+    return slope.step > largest_step ||
            (slope.steepest > steep && edge.length > short_edge * std::min(spacing[edge.a], spacing[edge.b]));
   });
   if (given_normals.empty() || !is_oriented.empty()) {
