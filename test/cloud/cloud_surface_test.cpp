@@ -304,10 +304,23 @@ TEST(CloudSurface, RoughnessIsNoStep)
   EXPECT_EQ(surface.distrusted_edges, 0U);
 }
 
+/** A sheet that is flat but for a quarter of a cylinder, four spacings in radius. */
 TEST(CloudSurface, ABendIsNoStep)
 {
-  const std::vector<Vector3> points = sphereCloud(300, 0.1F);
-  EXPECT_EQ(surfaceOf(points, {0.0F, 1.0F, 0.0F, false, 0.15F}).distrusted_edges, 0U);
+  constexpr int n = 30;
+  constexpr float radius = 4.0F / n;
+  constexpr float begin = 0.5F;
+  std::vector<Vector3> points = sheet(n, 0.0F, 3);
+  std::vector<Vector3> normals;
+  for (Vector3& p : points) {
+    const float angle = std::min(std::max(p[0] - begin, 0.0F) / radius, 0.5F * pi);
+    const float beyond = std::max(p[0] - begin - 0.5F * pi * radius, 0.0F);
+    normals.push_back({std::sin(angle), 0.0F, std::cos(angle)});
+    p = {std::min(p[0], begin) + radius * std::sin(angle), p[1], radius * (std::cos(angle) - 1.0F) - beyond};
+  }
+  const CloudSurface surface =
+      buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {0.0F, 1.0F, 0.0F, false, 0.15F}, 1);
+  EXPECT_EQ(surface.distrusted_edges, 0U);
 }
 
 TEST(CloudSurface, LargerDetourTrustsMoreEdges)
