@@ -52,8 +52,13 @@ struct ContactTest {
  * (it leads to another part in contact), or from one sheet to a parallel one, or where the oriented normals at its ends
  * differ much, unless the way along trusted edges is hardly longer. Parts that the plain graph joins and the remaining
  * one does not are joined again by their shortest distrusted edges; parts that even the plain graph leaves apart, by
- * links across the gap between them. \param[in] points all finite \param[in] lists k nearest neighbours \param[in]
- * given_normals used instead of estimated ones; may be empty
+ * links across the gap between them.
+ *
+ * \param[in] points all finite
+ *
+ * \param[in] lists k nearest neighbours
+ *
+ * \param[in] given_normals used instead of estimated ones; may be empty
  *
  * \param[in] radius longest edge, 0: no limit
  *
