@@ -35,11 +35,15 @@ public:
     return words_;
   }
 
-  /** \brief A word as an integer. \throws pcl::IOException is none, or does not fit */
+  /** \brief A word as an integer.
+   *
+   * \throws pcl::IOException is none, or does not fit */
   Index
   toInteger(std::string_view word) const;
 
-  /** \brief A word as a number; "nan" in any case is one. \throws pcl::IOException is none */
+  /** \brief A word as a number; "nan" in any case is one.
+   *
+   * \throws pcl::IOException is none */
   double
   toNumber(std::string_view word) const;
 

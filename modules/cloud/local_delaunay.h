@@ -14,7 +14,9 @@ namespace symmetry {
  *
  * Every point proposes the fan of triangles around it in the Delaunay triangulation of its graph neighbours, projected
  * into its tangent plane; a triangle is kept where at least two of its three corners propose it. On an evenly sampled
- * surface that is nearly a manifold. Triangles are counter-clockwise about their normals. Cost O(n k^2). \param[in]
+ * surface that is nearly a manifold. Triangles are counter-clockwise about their normals. Cost O(n k^2).
+ *
+ * \param[in]
  * graph neighbours to triangulate among
  */
 std::vector<Triangle>
@@ -34,7 +36,9 @@ struct FanLaplacian {
  * an edge conducts the mean of what the fans at its two ends say, so no consistent triangulation is needed.
  *
  * N. Sharp and K. Crane: A Laplacian for nonmanifold triangle meshes. Computer Graphics Forum 39(5), 2020 (the point
- * cloud case). \param[in] graph joins each sample to its Delaunay neighbours at least */
+ * cloud case).
+ *
+ * \param[in] graph joins each sample to its Delaunay neighbours at least */
 FanLaplacian
 localDelaunayLaplacian(const std::vector<Vector3>& points,
                        const std::vector<Vector3>& normals,

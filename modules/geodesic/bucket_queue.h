@@ -75,7 +75,9 @@ private:
   static constexpr std::uint32_t at_a_time = 32; // edges of a vertex
 
   /** Some of the edges of a vertex from edge e on: those that are shorter ways to where they lead. Without a branch,
-   * which would be a guess for every edge. \return how many there are */
+   * which would be a guess for every edge.
+   *
+   * \return how many there are */
   std::size_t
   findImproved(const Entry& from, std::uint32_t e, const float* distances, Entry* improved) const
   {

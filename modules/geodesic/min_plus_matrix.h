@@ -35,7 +35,9 @@ minPlus(float* result,
         unsigned threads);
 
 /** \brief Shortest paths among all pairs, in place: Floyd's algorithm by blocks.
- * \param[in,out] matrix symmetric, count x count; the stride is a multiple of kernel_lanes \param[in] panel scratch */
+ * \param[in,out] matrix symmetric, count x count; the stride is a multiple of kernel_lanes
+ *
+ * \param[in] panel scratch */
 void
 closeSymmetric(float* matrix, std::size_t count, std::size_t stride, FloatBlock& panel, unsigned threads);
 

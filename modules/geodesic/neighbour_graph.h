@@ -22,7 +22,9 @@ struct NeighbourLists {
 using NeighbourSearch = std::function<NeighbourLists(const std::vector<Vector3>& points, int k)>;
 
 /** \brief Plain k-nearest-neighbour graph: an edge wherever either point has the other among its neighbours, of
- * Euclidean length. Self-loops are dropped, duplicates of a point are linked by edges of length zero. \param[in] radius
+ * Euclidean length. Self-loops are dropped, duplicates of a point are linked by edges of length zero.
+ *
+ * \param[in] radius
  * longest edge, 0: no limit */
 SurfaceGraph
 buildNeighbourGraph(const std::vector<Vector3>& points, const NeighbourLists& lists, float radius);

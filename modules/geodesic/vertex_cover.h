@@ -20,7 +20,9 @@ namespace symmetry {
  */
 class VertexCover {
 public:
-  /** \param[in] left \param[in] right numbers of vertices
+  /** \param[in] left
+   *
+   * \param[in] right numbers of vertices
    * \param[in] edges_of called as (l, use); calls use (r) for every right vertex r that is joined to left vertex l
    * \param[out] cover_left those of the left in the cover, rising
    * \param[out] cover_right those of the right */

@@ -37,15 +37,21 @@ public:
     return {bytes_.get(), size_};
   }
 
-  /** \brief \throws pcl::IOException "file: reason", always */
+  /** \brief
+   *
+   * \throws pcl::IOException "file: reason", always */
   [[noreturn]] void
   fail(const std::string& reason) const;
 
-  /** \brief \throws pcl::IOException "file: line n: reason", always; lines count from 1 */
+  /** \brief
+   *
+   * \throws pcl::IOException "file: line n: reason", always; lines count from 1 */
   [[noreturn]] void
   failAtLine(std::size_t line, const std::string& reason) const;
 
-  /** \brief \throws pcl::IOException "file: byte n: reason", always; bytes count from 0 */
+  /** \brief
+   *
+   * \throws pcl::IOException "file: byte n: reason", always; bytes count from 0 */
   [[noreturn]] void
   failAtByte(std::size_t byte, const std::string& reason) const;
 

@@ -16,7 +16,9 @@ namespace symmetry {
  */
 class OutputFile {
 public:
-  /** \brief Creates the temporary file. \throws pcl::IOException the folder is missing or cannot be written to */
+  /** \brief Creates the temporary file.
+   *
+   * \throws pcl::IOException the folder is missing or cannot be written to */
   explicit OutputFile(const std::string& path);
   OutputFile(const OutputFile&) = delete;
   OutputFile&
@@ -26,11 +28,15 @@ public:
   operator=(OutputFile&&) = delete;
   ~OutputFile();
 
-  /** \brief \throws pcl::IOException cannot be written, for instance since the disk is full */
+  /** \brief
+   *
+   * \throws pcl::IOException cannot be written, for instance since the disk is full */
   void
   write(std::string_view bytes);
 
-  /** \brief Makes the file appear. \throws pcl::IOException cannot be written or moved; nothing is left behind then */
+  /** \brief Makes the file appear.
+   *
+   * \throws pcl::IOException cannot be written or moved; nothing is left behind then */
   void
   commit();
 
@@ -44,7 +50,9 @@ private:
   int descriptor_ = -1;
 };
 
-/** \brief Writes \a content as one file, whole or not at all. \throws pcl::IOException */
+/** \brief Writes \a content as one file, whole or not at all.
+ *
+ * \throws pcl::IOException */
 void
 writeWholeFile(const std::string& path, std::string_view content);
 

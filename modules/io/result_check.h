@@ -10,7 +10,9 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief Checks that each per-point array has one entry per point, and that partners, matches and axis refer to
- * points. \throws pcl::BadArgumentException says which does not
+ * points.
+ *
+ * \throws pcl::BadArgumentException says which does not
  */
 void
 checkResult(const SymmetryResult& result, std::size_t points);

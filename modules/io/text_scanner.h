@@ -34,7 +34,9 @@ public:
   bool
   nextLine();
 
-  /** \brief Goes to the next line that holds a word. \throws pcl::IOException the text ends instead: "`expected` ..."
+  /** \brief Goes to the next line that holds a word.
+   *
+   * \throws pcl::IOException the text ends instead: "`expected` ..."
    */
   void
   needLine(const char* expected);
@@ -52,19 +54,27 @@ public:
   atLineEnd();
 
   /** \brief The next word of the line as a number; nan and inf in any case are numbers, what is too large for a float
-   * is infinite. \throws pcl::IOException there is no further word, or it is no number */
+   * is infinite.
+   *
+   * \throws pcl::IOException there is no further word, or it is no number */
   float
   number();
 
-  /** \brief The next word of the line as an integer. \throws pcl::IOException there is none, or it is no integer */
+  /** \brief The next word of the line as an integer.
+   *
+   * \throws pcl::IOException there is none, or it is no integer */
   std::int64_t
   integer();
 
-  /** \brief \throws pcl::IOException the line holds a further word */
+  /** \brief
+   *
+   * \throws pcl::IOException the line holds a further word */
   void
   needLineEnd();
 
-  /** \brief Goes behind the end of the line. \throws pcl::IOException the line holds a further word */
+  /** \brief Goes behind the end of the line.
+   *
+   * \throws pcl::IOException the line holds a further word */
   void
   finishLine();
 
@@ -89,7 +99,9 @@ public:
     return static_cast<std::size_t>(end_ - next_);
   }
 
-  /** \brief \throws pcl::IOException naming file and current line, always */
+  /** \brief
+   *
+   * \throws pcl::IOException naming file and current line, always */
   [[noreturn]] void
   fail(const std::string& reason) const
   {
@@ -114,7 +126,9 @@ private:
   bool in_line_ = false;
 };
 
-/** \brief A word as an integer. \return false where it is none, or has anything behind it, or does not fit */
+/** \brief A word as an integer.
+ *
+ * \return false where it is none, or has anything behind it, or does not fit */
 bool
 parseInteger(std::string_view word, std::int64_t& value);
 

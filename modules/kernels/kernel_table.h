@@ -46,7 +46,9 @@ struct KernelTable {
    * \param[in,out] result rows x columns; overlaps with no operand
    * \param[in] left depth x rows: the transpose of the left factor
    * \param[in] right depth x columns
-   * \param[in] rows a multiple of min_plus_rows \param[in] columns a multiple of kernel_lanes */
+   * \param[in] rows a multiple of min_plus_rows
+   *
+   * \param[in] columns a multiple of kernel_lanes */
   void (*min_plus)(float* result,
                    std::size_t result_stride,
                    const float* left,
@@ -78,8 +80,14 @@ struct KernelTable {
   /** \brief For each candidate the sum over all i of ((query_i - candidate_i) weight_i)^2.
    *
    * Added up in kernel_lanes interleaved sums, these by halves. Rounding is monotone: where every difference is
-   * smaller, so is the sum. \param[in] candidates count x padded \param[in] padded number of features, a multiple of
-   * kernel_lanes \param[out] distances count values */
+   * smaller, so is the sum.
+   *
+   * \param[in] candidates count x padded
+   *
+   * \param[in] padded number of features, a multiple of
+   * kernel_lanes
+   *
+   * \param[out] distances count values */
   void (*weighted_distances)(const float* query,
                              const float* candidates,
                              std::size_t count,
@@ -101,9 +109,19 @@ struct KernelTable {
    *
    * A point at the offset x from the centre, in radii, has the weight (1 - |x|^2)^2 (1 - (x . normal)^2)^2, or none
    * where either factor would be the square of a negative number. Each moment is added up in kernel_lanes interleaved
-   * sums, these by halves. \param[in] points the x, then the y, then the z of all, padded of each \param[in] padded a
-   * multiple of kernel_lanes \param[in] centre three coordinates \param[in] normal of the slab, over half its thickness
-   * in radii; 0: no slab \param[out] moments sums of the weights, of x, y, z, and of xx, xy, xz, yy, yz, zz, each times
+   * sums, these by halves.
+   *
+   * \param[in] points the x, then the y, then the z of all, padded of each
+   *
+   * \param[in] padded a
+   * multiple of kernel_lanes
+   *
+   * \param[in] centre three coordinates
+   *
+   * \param[in] normal of the slab, over half its thickness
+   * in radii; 0: no slab
+   *
+   * \param[out] moments sums of the weights, of x, y, z, and of xx, xy, xz, yy, yz, zz, each times
    * the weight */
   void (*slab_moments)(
       const float* points, std::size_t padded, const float* centre, float radius, const float* normal, float* moments);

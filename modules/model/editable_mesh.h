@@ -100,7 +100,9 @@ public:
   opposite(Index a, Index b) const;
 
   /** \brief Replaces the edge (a, b) by the other diagonal of its two triangles, unless that edge exists, joins
-   * boundary vertices, or would turn a triangle over. \return whether it was done */
+   * boundary vertices, or would turn a triangle over.
+   *
+   * \return whether it was done */
   bool
   flip(Index a, Index b);
 

@@ -21,7 +21,9 @@ using SizeField = std::function<double(const Eigen::Vector3d&)>;
  * \param[in] surface the surface that the mesh stands for
  * \param[in] size wanted edge length, up to a factor
  * \param[in] vertices how many are wanted once the mesh is mirrored: a vertex counts twice unless it is on the
- * boundary; for a mesh without boundary, twice the number \return whether the number was reached, to within one
+ * boundary; for a mesh without boundary, twice the number
+ *
+ * \return whether the number was reached, to within one
  *
  * Cost: n log n.
  */

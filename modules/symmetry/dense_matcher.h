@@ -20,7 +20,9 @@ namespace symmetry {
  */
 class DenseMatcher {
 public:
-  /** \param[in] candidates feature vectors; copied \param[in] floors see featureFloors () */
+  /** \param[in] candidates feature vectors; copied
+   *
+   * \param[in] floors see featureFloors () */
   DenseMatcher(const FeatureVectors& candidates, std::vector<float> floors);
 
   /** \brief The best candidate of every query.

@@ -40,8 +40,16 @@ struct TipFunctions {
 /** \brief AGD, S1, MGD and S2 (the paper's names).
  *
  * A fine mesh has dozens of maxima on one fingertip; of those closer together than \a separation only the largest
- * counts, so that the few matches that are kept later are not all at one place. \param[in] embedded see embeddedGraph
- * () \param[in] start first of the samples \param[in] samples how many; the paper: 100 \param[in] separation least
+ * counts, so that the few matches that are kept later are not all at one place.
+ *
+ * \param[in] embedded see embeddedGraph
+ * ()
+ *
+ * \param[in] start first of the samples
+ *
+ * \param[in] samples how many; the paper: 100
+ *
+ * \param[in] separation least
  * distance of two maxima
  */
 TipFunctions

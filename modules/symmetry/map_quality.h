@@ -16,7 +16,11 @@ namespace symmetry {
  *
  * Distances for the measure of involution are straight lines, which are never longer than the geodesic ones, so it errs
  * on the side of the map by what a bend cuts short. The measure of isometry runs one shortest-path search per landmark
- * and one per partner of a landmark. \param[in] partners one per point, -1 where there is none \param[in] diameter
+ * and one per partner of a landmark.
+ *
+ * \param[in] partners one per point, -1 where there is none
+ *
+ * \param[in] diameter
  * largest landmark distance, in the unit of the prepared surface
  */
 MapSummary

@@ -53,7 +53,9 @@ sphereCloud(std::size_t n, float radius, const Vector3& centre = {0.0F, 0.0F, 0.
   return points;
 }
 
-/** \brief Every point moved in a random direction. \param[in] deviation along each axis */
+/** \brief Every point moved in a random direction.
+ *
+ * \param[in] deviation along each axis */
 inline std::vector<Vector3>
 noisy(std::vector<Vector3> points, float deviation, unsigned seed)
 {

@@ -141,7 +141,11 @@ public:
 
   /** \brief Runs the estimation.
    * \param[out] result replaced as a whole; its status tells an outcome of the data (no symmetry, too few points,
-   * cancelled) \throws pcl::InitFailedException no input was set \throws pcl::BadArgumentException an index is out of
+   * cancelled)
+   *
+   * \throws pcl::InitFailedException no input was set
+   *
+   * \throws pcl::BadArgumentException an index is out of
    * range or given twice
    */
   void

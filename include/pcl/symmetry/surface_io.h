@@ -35,10 +35,18 @@ fileEnding(const std::string& path);
  * Other fields, properties, elements and keywords are passed over. Points keep their number and order (but in STL), and
  * duplicates, unused and non-finite points are kept: nan and inf are numbers, and what is too large for a float is
  * infinite. Polygons become triangle fans around their first corner. Faces of fewer than three corners, and triangles
- * with two equal corners, have no area and are left out. \param[in] path a regular file \return at least one point;
- * normals where the file has one per point \throws pcl::IOException cannot be opened, has another ending, is empty,
+ * with two equal corners, have no area and are left out.
+ *
+ * \param[in] path a regular file
+ *
+ * \return at least one point;
+ * normals where the file has one per point
+ *
+ * \throws pcl::IOException cannot be opened, has another ending, is empty,
  * truncated or malformed, promises more than it can hold, or has a face with a point that is not there; the message
- * names file, line (from 1) or byte (from 0), and reason \ingroup symmetry
+ * names file, line (from 1) or byte (from 0), and reason
+ *
+ * \ingroup symmetry
  */
 PCL_SYMMETRY_EXPORTS Surface
 readSurface(const std::string& path);
@@ -66,8 +74,14 @@ PCL_SYMMETRY_EXPORTS void
 writeLabelledSurface(const std::string& path, const Surface& surface, const SymmetryResult& result);
 
 /** \brief Writes `vertex,partner,confidence`, one line per input point, 0-based, partner -1 where there is none.
- * Numbers read back as they were. \throws pcl::IOException cannot be written \throws pcl::BadArgumentException the
- * arrays of the result differ in length, or an index is out of range \ingroup symmetry
+ * Numbers read back as they were.
+ *
+ * \throws pcl::IOException cannot be written
+ *
+ * \throws pcl::BadArgumentException the
+ * arrays of the result differ in length, or an index is out of range
+ *
+ * \ingroup symmetry
  */
 PCL_SYMMETRY_EXPORTS void
 writeMap(const std::string& path, const SymmetryResult& result);
@@ -95,8 +109,14 @@ writeAxis(const std::string& path, const Surface& surface, const SymmetryResult&
  *
  * Keys: status, message, confidence, diameter, input, map, matches (their number), alternatives and rotations (only
  * where there are several reflections; see SymmetryResult), parameters, seconds (steps in order, and their sum as
- * total), version. A number that is not finite is null. \param[in] path file to write \param[in] input_file name of the
- * input as it is to appear in the report; what is not UTF-8 is replaced \param[in] parameters all that were in force
+ * total), version. A number that is not finite is null.
+ *
+ * \param[in] path file to write
+ *
+ * \param[in] input_file name of the
+ * input as it is to appear in the report; what is not UTF-8 is replaced
+ *
+ * \param[in] parameters all that were in force
  * \param[in] result what was found, with the seconds per step
  * \throws pcl::IOException cannot be written
  * \ingroup symmetry
