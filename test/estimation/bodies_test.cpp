@@ -261,7 +261,7 @@ TEST_P(BodyWithHolesTest, HasNoneWithoutAnArm)
   EXPECT_EQ(result.status, SymmetryStatus::NoSymmetry);
 }
 
-/** Holes cut through a bird's wings: along the faces that are left its map is no isometry. */
+/** Along the faces that the holes leave the map is in doubt. */
 TEST(MeshWithHoles, IsReadAsACloudWhereItsFacesDoNotHangTogether)
 {
   ModelParameters parameters;
