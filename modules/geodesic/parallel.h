@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -26,7 +27,8 @@ threadCount(unsigned requested, std::size_t items)
  * items that falls to that thread.
  *
  * Blocks are handed out as threads become free, so a worker must not let its result depend on which blocks it gets. The
- * first exception ends the loop and is thrown in the calling thread.
+ * first exception ends the loop and is thrown in the calling thread. Where no further thread can be had (a limit of the
+ * system's), those that there are do all of the work.
  */
 template <typename MakeWorker>
 void
@@ -50,8 +52,14 @@ parallelBlocks(std::size_t items, std::size_t grain, unsigned threads, MakeWorke
     }
   };
   std::vector<std::thread> helpers;
-  for (unsigned i = 1; i < threadCount(threads, blocks); ++i) {
-    helpers.emplace_back(work);
+  const unsigned count = threadCount(threads, blocks);
+  helpers.reserve(count);
+  try {
+    while (helpers.size() + 1 < count) {
+      helpers.emplace_back(work);
+    }
+  }
+  catch (const std::system_error&) { // no more than these
   }
   work();
   for (std::thread& helper : helpers) {
