@@ -60,6 +60,25 @@ normalized(const Vector3& a)
   return length > 0.0F ? (1.0F / length) * a : a;
 }
 
+/** \brief A direction at length 1; zero where the vector has none, being zero or not finite. In double: no length is
+ * too large or too small. */
+inline Vector3
+unitOrZero(const Vector3& a)
+{
+  const double length = std::hypot(double{a[0]}, double{a[1]}, double{a[2]});
+  if (!(length > 0.0) || !std::isfinite(length)) {
+    return {0.0F, 0.0F, 0.0F};
+  }
+  return {static_cast<float>(a[0] / length), static_cast<float>(a[1] / length), static_cast<float>(a[2] / length)};
+}
+
+/** \brief Whether the vector is not zero. */
+inline bool
+isDirection(const Vector3& a)
+{
+  return a[0] != 0.0F || a[1] != 0.0F || a[2] != 0.0F;
+}
+
 inline bool
 isFinite(const Vector3& a)
 {

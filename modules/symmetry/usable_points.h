@@ -17,7 +17,8 @@ namespace symmetry {
 
 /** \brief What does not depend on how the contacts of a cloud are read. */
 struct UsablePoints {
-  PreparedSurface surface;       ///< without graph; of a cloud also without triangles, and with given normals only
+  PreparedSurface
+      surface; ///< without graph; of a cloud also without triangles, and with normals only where they are given
   NeighbourLists neighbours;     ///< of a cloud
   std::vector<char> is_oriented; ///< see WorkingCloud; where empty, normals are oriented all or there are none
 };

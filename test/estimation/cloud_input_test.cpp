@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <pcl/exceptions.h>
 #include <pcl/search/brute_force.h>
+#include <pcl/search/organized.h>
 
 #include <algorithm>
 #include <limits>
@@ -95,7 +96,8 @@ TEST(CloudInput, AnotherExactSearchGivesTheSameMap)
   EXPECT_TRUE(search->getInputCloud()); // it was used
 }
 
-TEST(CloudInput, NormalsOfThePointsAreUsedWhenAskedFor)
+pcl::PointCloud<pcl::PointNormal>::Ptr
+humanWithNormals()
 {
   const auto cloud = cloudOf<pcl::PointNormal>(human().surface.points);
   for (const Triangle& t : human().surface.triangles) {
@@ -108,11 +110,73 @@ TEST(CloudInput, NormalsOfThePointsAreUsedWhenAskedFor)
   for (pcl::PointNormal& point : *cloud) {
     point.getNormalVector3fMap().normalize();
   }
+  return cloud;
+}
+
+TEST(CloudInput, NormalsOfThePointsAreUsedWhenAskedFor)
+{
   SymmetryParameters parameters;
   parameters.normals = NormalSource::Given;
-  const pcl::IntrinsicSymmetryResult result = compute(cloud, parameters);
+  const pcl::IntrinsicSymmetryResult result = compute(humanWithNormals(), parameters);
   ASSERT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
   EXPECT_GE(correspondenceRate(mapErrors(human(), result.partners)), 0.95);
+}
+
+TEST(CloudInput, GivenNormalsNeedNoUnitLength)
+{
+  SymmetryParameters parameters;
+  parameters.normals = NormalSource::Given;
+  const auto cloud = humanWithNormals();
+  const pcl::IntrinsicSymmetryResult result = compute(cloud, parameters);
+  for (std::size_t v = 0; v < cloud->size(); ++v) {
+    (*cloud)[v].getNormalVector3fMap() *= v % 3 == 0 ? 1e-30F : (v % 3 == 1 ? 2.0F : 1e30F);
+  }
+  const pcl::IntrinsicSymmetryResult scaled = compute(cloud, parameters);
+  EXPECT_NEAR(scaled.confidence, result.confidence, 0.02F); // but for rounding
+  EXPECT_GE(correspondenceRate(mapErrors(human(), scaled.partners)), 0.95);
+}
+
+TEST(CloudInput, PointsWithoutANormalAreNoObstacle)
+{
+  SymmetryParameters parameters;
+  parameters.normals = NormalSource::Given;
+  const auto cloud = humanWithNormals();
+  for (std::size_t v = 0; v < cloud->size(); v += 7) {
+    (*cloud)[v].getNormalVector3fMap().setConstant(v % 2 == 0 ? not_a_number : 0.0F);
+  }
+  const pcl::IntrinsicSymmetryResult result = compute(cloud, parameters);
+  ASSERT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  EXPECT_GT(result.confidence, 0.5F);
+  EXPECT_EQ(result.input.used, cloud->size());
+  EXPECT_GE(correspondenceRate(mapErrors(human(), result.partners)), 0.95);
+}
+
+TEST(CloudInput, NormalsThatNobodyEstimatedAreRefused)
+{
+  SymmetryParameters parameters;
+  parameters.normals = NormalSource::Given;
+  EXPECT_THROW(compute(cloudOf<pcl::PointNormal>(human().surface.points), parameters), pcl::BadArgumentException);
+}
+
+TEST(CloudInput, SparseResultsComeFromTheSameMap)
+{
+  SymmetryParameters parameters;
+  const auto cloud = cloudOf(human().surface.points);
+  const pcl::IntrinsicSymmetryResult dense = compute(cloud, parameters);
+  parameters.sparse_only = true;
+  const pcl::IntrinsicSymmetryResult sparse = compute(cloud, parameters);
+  EXPECT_EQ(sparse.confidence, dense.confidence);
+  EXPECT_EQ(sparse.sides, dense.sides);
+  EXPECT_EQ(sparse.matches.size(), dense.matches.size());
+  EXPECT_EQ(std::count(sparse.partners.begin(), sparse.partners.end(), no_index),
+            static_cast<std::ptrdiff_t>(cloud->size()));
+}
+
+TEST(CloudInput, ASearchForRastersIsRefused)
+{
+  pcl::IntrinsicSymmetryEstimation<pcl::PointXYZ> estimation;
+  EXPECT_THROW(estimation.setSearchMethod(pcl::make_shared<pcl::search::OrganizedNeighbor<pcl::PointXYZ>>()),
+               pcl::BadArgumentException);
 }
 
 TEST(CloudInput, GivenNormalsOfPointsWithoutAreRefused)

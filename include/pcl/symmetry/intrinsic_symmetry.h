@@ -71,13 +71,12 @@ public:
   void
   setInputMesh(const PolygonMesh::ConstPtr& mesh);
 
-  /** \brief Search for the neighbours of a cloud's points; default: a kd-tree (FLANN). compute () sets its input cloud.
-   */
+  /** \brief Search for the neighbours of a cloud's points; default: a kd-tree (FLANN).
+   *
+   * compute () sets its input cloud again and again: to the usable points, moved, scaled and in no raster.
+   * \throws pcl::BadArgumentException a search that needs a raster (search::OrganizedNeighbor) */
   void
-  setSearchMethod(const SearchPtr& search)
-  {
-    search_ = search;
-  }
+  setSearchMethod(const SearchPtr& search);
 
   SearchPtr
   getSearchMethod() const
@@ -121,7 +120,7 @@ public:
     return parameters_.method;
   }
 
-  /** \brief All other parameters at once.
+  /** \brief All parameters at once, those with a setter of their own as well: start from getParameters ().
    * \throws pcl::BadArgumentException one is out of its range */
   void
   setParameters(const symmetry::SymmetryParameters& parameters);
@@ -145,8 +144,8 @@ public:
    *
    * \throws pcl::InitFailedException no input was set
    *
-   * \throws pcl::BadArgumentException an index is out of
-   * range or given twice
+   * \throws pcl::BadArgumentException an index is out of range or given twice, or given normals are asked for and there
+   * are none
    */
   void
   compute(IntrinsicSymmetryResult& result);

@@ -28,13 +28,13 @@ enum class PairingFeature {
 /** \brief Where the normals of a point cloud without faces come from. */
 enum class NormalSource {
   Estimate, ///< from the neighbours of each point, oriented by propagation
-  Given     ///< from Surface::normals; an error where there are none
+  Given     ///< from Surface::normals, of any length; points without one (zero, not finite) get an estimate
 };
 
 /** \brief Everything that can be set, with defaults; plain data.
  *
- * No length is absolute: a tolerance is relative to the diameter of the surface (its largest landmark
- * distance) or to the local point spacing.
+ * No length is absolute: a tolerance is relative to the diameter of the surface (the largest distance
+ * between the points that fields of distances start from) or to the local point spacing.
  * \ingroup symmetry
  */
 struct SymmetryParameters {
@@ -50,7 +50,7 @@ struct SymmetryParameters {
    * deviations are left out; 0: only points several times farther from their neighbours than these are from theirs. */
   float outlier_deviations = 0.0F;
 
-  /** Sources of full distance fields, [10, 1000]. */
+  /** Of the staged method: sources of full distance fields, [10, 1000]. */
   int landmarks = 100;
   /** Evenly spaced samples: staged: of stage 3, robust: that stand for the surface; 0: the method's own default (100
    * and 1500), else [20, 20000]. */
@@ -58,7 +58,7 @@ struct SymmetryParameters {
   /** Dimensions of the staged method's spectral embedding, [2, 20]. */
   int embedding_dimensions = 3;
   PairingFeature pairing = PairingFeature::AverageGeodesicDistance;
-  /** Leave out the dense map, and with it sides and axis of every point that is no sample. */
+  /** Deliver no dense map and no alternatives; sides, axis and sparse matches are there all the same. */
   bool sparse_only = false;
   /** How many distinct reflections, and rotations beside them, the result lists at most, the best first, [1, 100]. */
   int alternatives = 1;

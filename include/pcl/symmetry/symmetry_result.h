@@ -38,7 +38,9 @@ struct SymmetricMatch {
   Index source = no_index;
   Index target = no_index;
   Index midpoint = no_index; ///< the point half way on the geodesic from source to target, on the axis or near it
-  float cost = 0.0F;         ///< dissimilarity of the two feature vectors, 0 is best; no unit
+  /** How badly the two match, 0 is best, no unit. Staged method: dissimilarity of their feature vectors; robust: change
+   * of their distance when each is mapped, as a share of the diameter. */
+  float cost = 0.0F;
 };
 
 /** \brief An ordered line through points of the surface. */
@@ -85,8 +87,8 @@ struct AlternativeMap {
 /** \brief The result of one estimation.
  *
  * Every per-point array has one entry per point of the input, whatever was left out on the way: left-out points have
- * partner -1, Side::None, Region::None and confidence 0. When the status is TooFewPoints or Cancelled the arrays
- * hold nothing but such entries.
+ * partner -1, Side::None, Region::None and confidence 0. Unless the status is Symmetric the arrays hold
+ * nothing but such entries.
  * \ingroup symmetry
  */
 struct SymmetryResult {
@@ -94,7 +96,7 @@ struct SymmetryResult {
   std::string message;     ///< for a person: why the status is not Symmetric, or what was noticed
   float confidence = 0.0F; ///< of the whole map, in [0, 1]; below 0.5 a cloud may well have no symmetry
 
-  std::vector<SymmetricMatch> matches; ///< sparse correspondences: the last stage's matches
+  std::vector<SymmetricMatch> matches; ///< sparse correspondences, spread over the source side
   std::vector<Index> partners;         ///< dense map
   std::vector<float> confidences;      ///< per point, in [0, 1]
   std::vector<Side> sides;
@@ -104,7 +106,7 @@ struct SymmetryResult {
   std::vector<AlternativeMap> alternatives; ///< on request: the reflections, best first; the first is the map above
   std::vector<AlternativeMap> rotations;    ///< on request: maps that keep the orientation, best first
 
-  float diameter = 0.0F; ///< largest landmark distance, in the unit of the points
+  float diameter = 0.0F; ///< largest distance between landmarks or hubs, in the unit of the points
   InputSummary input;
   MapSummary map;
   std::vector<std::pair<std::string, double>> seconds; ///< wall time per step, in order; steps do not overlap

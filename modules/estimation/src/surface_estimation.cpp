@@ -1,3 +1,4 @@
+#include "geodesic/vector_math.h"
 #include "neighbour_search.h"
 #include "refuse_argument.h"
 #include "symmetry/pipeline.h"
@@ -25,13 +26,26 @@ checkTriangles(const Surface& surface)
 }
 
 void
-checkNormals(const Surface& surface, const SymmetryParameters& parameters)
+checkNormals(const Surface& surface)
 {
   if (!surface.normals.empty() && surface.normals.size() != surface.size()) {
     refuseArgument("there are ", surface.normals.size(), " normals for ", surface.size(), " points");
   }
-  if (parameters.normals == NormalSource::Given && !surface.hasFaces() && surface.normals.empty()) {
+}
+
+/** Point types with normals hold zeros until somebody estimates them. */
+void
+checkGivenNormals(const Surface& surface, const SymmetryParameters& parameters)
+{
+  if (parameters.normals != NormalSource::Given || surface.hasFaces()) {
+    return;
+  }
+  if (surface.normals.empty()) {
     refuseArgument("given normals are asked for, but the cloud has none");
+  }
+  if (std::none_of(surface.normals.begin(), surface.normals.end(),
+                   [](const Vector3& normal) { return isDirection(unitOrZero(normal)); })) {
+    refuseArgument("given normals are asked for, but those of the cloud are all zero or not finite");
   }
 }
 
@@ -138,16 +152,19 @@ detail::estimateSelected(const Surface& surface,
 {
   checkParameters(parameters);
   checkTriangles(surface);
-  checkNormals(surface, parameters);
+  checkNormals(surface);
   StepTimer timer;
   if (progress) {
     timer = StepTimer(progress);
   }
   const NeighbourSearch neighbours = neighbourSearch(search, parameters.threads);
   if (selection == nullptr) {
+    checkGivenNormals(surface, parameters);
     return runPipeline(surface, parameters, neighbours, timer);
   }
-  SymmetryResult result = runPipeline(selectPoints(surface, *selection), parameters, neighbours, timer);
+  const Surface selected = selectPoints(surface, *selection);
+  checkGivenNormals(selected, parameters);
+  SymmetryResult result = runPipeline(selected, parameters, neighbours, timer);
   expandSelection(result, surface, *selection);
   return result;
 }

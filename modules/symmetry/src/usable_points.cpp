@@ -1,5 +1,6 @@
 #include "symmetry/usable_points.h"
 
+#include "cloud/cloud_normals.h"
 #include "cloud/merged_sheets.h"
 #include "cloud/working_cloud.h"
 #include "geodesic/median.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -114,8 +116,9 @@ dropOutliers(PreparedSurface& surface, const SymmetryParameters& parameters, con
   std::vector<char> keep(surface.size());
   std::transform(mean_distance.begin(), mean_distance.end(), keep.begin(),
                  [largest](double d) { return d <= largest; });
-  surface.summary.outliers += static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
+  const std::size_t before = countLeftOut(surface);
   keepPoints(surface, keep);
+  surface.summary.outliers += countLeftOut(surface) - before;
 }
 
 /** Lets the first of several points at one place stand for all: in a cloud they would take up each other's neighbours,
@@ -189,6 +192,23 @@ reduceCloud(UsablePoints& usable,
     surface.normals = std::move(working.normals);
     usable.is_oriented = std::move(working.is_oriented);
   }
+}
+
+/** Gives the points without a normal the one of the plane through their neighbours, to be turned as those around. */
+void
+completeNormals(UsablePoints& usable, unsigned threads)
+{
+  std::vector<Vector3>& normals = usable.surface.normals;
+  std::vector<char> is_given(normals.size());
+  std::transform(normals.begin(), normals.end(), is_given.begin(), isDirection);
+  if (std::find(is_given.begin(), is_given.end(), 0) == is_given.end()) {
+    return;
+  }
+  const std::vector<Vector3> planes = estimateNormals(usable.surface.points, usable.neighbours, threads);
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    normals[v] = is_given[v] != 0 ? normals[v] : planes[v];
+  }
+  usable.is_oriented = std::move(is_given);
 }
 
 void
@@ -270,10 +290,10 @@ dropFaces(PreparedSurface& surface)
   surface.is_cloud = true;
   surface.summary.read_as_cloud = true;
   std::vector<char> keep(surface.size());
-  std::transform(surface.normals.begin(), surface.normals.end(), keep.begin(), [](const Vector3& n) {
-    return n != Vector3{0.0F, 0.0F, 0.0F};
-  });
+  std::transform(surface.normals.begin(), surface.normals.end(), keep.begin(), isDirection);
+  const std::size_t before = countLeftOut(surface);
   keepPoints(surface, keep);
+  surface.summary.other_components += countLeftOut(surface) - before;
 }
 
 } // namespace
@@ -289,8 +309,11 @@ usablePoints(const Surface& surface,
   PreparedSurface& prepared = usable.surface;
   prepared.points = surface.points;
   prepared.triangles = surface.triangles;
-  prepared.normals = surface.normals;
   prepared.is_cloud = !surface.hasFaces();
+  const bool has_normals = prepared.is_cloud && parameters.normals == NormalSource::Given;
+  if (has_normals) {
+    std::transform(surface.normals.begin(), surface.normals.end(), std::back_inserter(prepared.normals), unitOrZero);
+  }
   prepared.original.resize(surface.size());
   for (std::size_t v = 0; v < surface.size(); ++v) {
     prepared.original[v] = static_cast<Index>(v);
@@ -320,10 +343,10 @@ usablePoints(const Surface& surface,
   if (parameters.outlier_deviations > 0.0F) {
     dropOutliers(prepared, parameters, search);
   }
-  if (parameters.normals == NormalSource::Estimate && !surface.hasFaces()) {
-    prepared.normals.clear();
-  }
   reduceCloud(usable, parameters, search, reading);
+  if (has_normals) {
+    completeNormals(usable, parameters.threads);
+  }
   return usable;
 }
 

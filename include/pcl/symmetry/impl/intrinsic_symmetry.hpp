@@ -87,6 +87,16 @@ IntrinsicSymmetryEstimation<PointT>::setInputMesh(const PolygonMesh::ConstPtr& m
 
 template <typename PointT>
 void
+IntrinsicSymmetryEstimation<PointT>::setSearchMethod(const SearchPtr& search)
+{
+  if (search && search->getName() == "OrganizedNeighbor") {
+    throw BadArgumentException("setSearchMethod: OrganizedNeighbor searches rasters only");
+  }
+  search_ = search;
+}
+
+template <typename PointT>
+void
 IntrinsicSymmetryEstimation<PointT>::setKSearch(int k)
 {
   symmetry::SymmetryParameters parameters = parameters_;
