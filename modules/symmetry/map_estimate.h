@@ -17,7 +17,7 @@ struct MapEstimate {
   std::string message; ///< why the status is not Symmetric
   float confidence = 0.0F;
   float known_holes = 0.0F;         ///< share of the samples into whose cells holes of a mesh reach; 0 for a cloud
-  std::vector<Index> partners;      ///< empty where only sparse matches were asked for
+  std::vector<Index> partners;      ///< empty where the staged method was asked for sparse matches only
   std::vector<float> confidences;   ///< per point, in [0, 1]
   std::vector<float> side_function; ///< positive on the source side, negative on the target side, 0 undecided
   std::vector<Region> regions;

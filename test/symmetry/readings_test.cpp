@@ -116,17 +116,6 @@ TEST(RivalReadings, WhatGoesNowhereContradictsNothing)
   EXPECT_EQ(rivals.best().estimate.confidence, 0.5F); // 0.3 + 0.5 against 0.7
 }
 
-TEST(RivalReadings, WithoutDenseMapsTheConfidenceDecides)
-{
-  RivalReadings rivals;
-  for (const float confidence : {0.5F, 0.8F, 0.6F}) {
-    Reading sparse = readingOf(0, confidence);
-    sparse.estimate.partners.clear();
-    rivals.add(std::move(sparse));
-  }
-  EXPECT_EQ(rivals.best().estimate.confidence, 0.8F);
-}
-
 TEST(RivalReadings, ConfidenceIsThatOfAllReadings)
 {
   RivalReadings one;
@@ -134,13 +123,16 @@ TEST(RivalReadings, ConfidenceIsThatOfAllReadings)
   EXPECT_EQ(one.takeBest().estimate.confidence, 0.4F);
 
   RivalReadings several;
-  several.add(readingOf(0, 0.8F));
+  Reading with_alternatives = readingOf(0, 0.8F);
+  with_alternatives.estimate.alternatives.push_back({{}, 0.0F, 0.8F, true});
+  several.add(std::move(with_alternatives));
   several.add(readingOf(0, 0.4F));
   several.add(readingOf(100, 0.7F));
   several.add(readingOf(0, 0.0F, SymmetryStatus::NoSymmetry));
   Reading best = several.takeBest();
   EXPECT_EQ(best.estimate.status, SymmetryStatus::Symmetric);
   EXPECT_NEAR(best.estimate.confidence, std::sqrt(0.8F * 0.3F), 1e-5F);
+  EXPECT_NEAR(best.estimate.alternatives.at(0).confidence, best.estimate.confidence, 1e-5F);
   EXPECT_TRUE(best.estimate.message.empty());
 }
 

@@ -123,7 +123,10 @@ estimateInto(SymmetryResult& result,
              const NeighbourSearch& search,
              StepTimer& timer)
 {
-  const Reading reading = bestReading(surface, parameters, search, timer, result.input);
+  Reading reading = bestReading(surface, parameters, search, timer, result.input);
+  if (parameters.sparse_only) {
+    reading.estimate.partners.clear(); // only now: readings are compared by their dense maps
+  }
   const PreparedSurface& prepared = reading.surface;
   const MapEstimate& estimate = reading.estimate;
   result.input = prepared.summary;

@@ -237,6 +237,11 @@ RivalReadings::takeBest()
     for (float& confidence : estimate.confidences) {
       confidence *= share;
     }
+    for (std::vector<AlternativeMap>* maps : {&estimate.alternatives, &estimate.rotations}) {
+      for (AlternativeMap& map : *maps) {
+        map.confidence *= share;
+      }
+    }
     if (estimate.confidence < least_confidence) {
       estimate.status = SymmetryStatus::NoSymmetry;
       estimate.message = "hardly any way to read the points shows a symmetry";

@@ -188,9 +188,7 @@ public:
   void
   describeMap(const SampleEstimate& samples, MapEstimate& estimate) const
   {
-    if (!parameters_.sparse_only) {
-      estimate.partners = partnersOf(samples);
-    }
+    estimate.partners = partnersOf(samples);
     const OrderedPairs pairs = orderPairs(model_.hubs, samples.hub_map);
     estimate.side_function = pointSides(model_, pairs, interpolation_, estimate.partners, parameters_.threads);
     estimate.matches = sparseMatches(model_, samples.map, samples.partners, estimate.side_function);
@@ -210,8 +208,9 @@ public:
                                                            static_cast<std::size_t>(parameters_.alternatives));
     for (const DistinctReflection& reflection : distinct.reflections) {
       const SampleEstimate samples = refinement_.refine(reflection.candidate);
-      estimate.alternatives.push_back(
-          {partnersOf(samples), reflection.candidate.score.value, confidenceOf(reflection.candidate, samples), true});
+      const float confidence = estimate.alternatives.empty() ? estimate.confidence // of the map itself
+                                                             : confidenceOf(reflection.candidate, samples);
+      estimate.alternatives.push_back({partnersOf(samples), reflection.candidate.score.value, confidence, true});
     }
     for (const DistinctRotation& rotation : distinct.rotations) {
       const std::vector<Index>& second = estimate.alternatives[rotation.second].partners;
