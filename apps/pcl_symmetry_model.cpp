@@ -1,6 +1,7 @@
 /** \file
  * \brief pcl_symmetry_model: writes a synthetic body with its exact ground truth.
  */
+#include "io/error_text.h"
 #include "model/articulated_body.h"
 #include "model/disturb.h"
 #include "model/write_model.h"
@@ -10,9 +11,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace po = boost::program_options;
 using namespace pcl::symmetry;
@@ -172,6 +175,14 @@ run(const Options& options, const po::variables_map& values)
     printSummary(options, model);
 }
 
+bool
+areOneFile(const std::string& a, const std::string& b)
+{
+  std::error_code missing;
+  return std::filesystem::path(a).lexically_normal() == std::filesystem::path(b).lexically_normal() ||
+         (std::filesystem::is_regular_file(a, missing) && std::filesystem::equivalent(a, b, missing));
+}
+
 int
 usageError(const std::string& reason)
 {
@@ -202,6 +213,8 @@ main(int argc, char** argv)
     if (options.output.empty())
       return usageError("no output file is named");
     checkSurfaceFileName(options.output);
+    if (areOneFile(options.output, options.truth))
+      return usageError("'" + options.truth + "' would be overwritten: each file needs a name of its own");
     options.model.body = bodyFromName(options.body);
     run(options, values);
     return exit_done;
@@ -213,7 +226,7 @@ main(int argc, char** argv)
     return usageError(error.what());
   }
   catch (const std::exception& error) {
-    std::cerr << "pcl_symmetry_model: " << error.what() << '\n';
+    std::cerr << "pcl_symmetry_model: " << errorText(error) << '\n';
     return exit_failed;
   }
 }

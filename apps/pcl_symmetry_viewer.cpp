@@ -1,6 +1,8 @@
 /** \file
- * \brief pcl_symmetry_viewer: shows a labelled surface; a click on a point lights up its partner.
+ * \brief pcl_symmetry_viewer: shows a labelled surface; Shift and a click on a point lights up its partner.
  */
+#include "io/error_text.h"
+#include "io/output_file.h"
 #include "io/palette.h"
 
 #include <boost/program_options.hpp>
@@ -12,6 +14,7 @@
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
@@ -25,6 +28,7 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace po = boost::program_options;
 
@@ -102,12 +106,20 @@ integerField(const pcl::PCLPointCloud2& cloud,
   return values;
 }
 
-pcl::PolygonMesh
-readFile(const std::string& path)
+/** \brief Ending of a file's name in lower case, with the dot. */
+std::string
+endingOf(const std::string& path)
 {
   std::string ending = std::filesystem::path(path).extension().string();
   for (char& c : ending)
     c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
+}
+
+pcl::PolygonMesh
+readFile(const std::string& path)
+{
+  const std::string ending = endingOf(path);
   pcl::PolygonMesh mesh;
   int status = 0;
   if (ending == ".ply")
@@ -192,10 +204,13 @@ public:
     image->SetInput(window_);
     const auto writer = vtkSmartPointer<vtkPNGWriter>::New();
     writer->SetInputConnection(image->GetOutputPort());
-    writer->SetFileName(path.c_str());
+    writer->WriteToMemoryOn();
     writer->Write();
-    if (writer->GetErrorCode() != 0)
-      throw std::runtime_error(path + ": cannot be written");
+    vtkUnsignedCharArray* const png = writer->GetResult();
+    if (writer->GetErrorCode() != 0 || png == nullptr)
+      throw std::runtime_error(path + ": no picture could be made");
+    const auto size = static_cast<std::size_t>(png->GetNumberOfValues());
+    pcl::symmetry::writeWholeFile(path, {reinterpret_cast<const char*>(png->GetPointer(0)), size});
   }
 
   void
@@ -301,6 +316,8 @@ show(const po::variables_map& arguments)
     throw po::error("--partners " + std::to_string(partners) + " is not in [0, 10000]");
   if (arguments.count("file") == 0)
     throw po::error("FILE, a labelled surface, is missing");
+  if (arguments.count("screenshot") > 0 && endingOf(arguments["screenshot"].as<std::string>()) != ".png")
+    throw po::error("--screenshot writes .png, not '" + arguments["screenshot"].as<std::string>() + "'");
   const LabelledSurface surface = readLabelledSurface(arguments["file"].as<std::string>());
   // Without an X server VTK would end the program with a signal.
   const char* const display = std::getenv("DISPLAY");
@@ -356,7 +373,7 @@ main(int argc, char** argv)
     return exit_usage;
   }
   catch (const std::exception& error) {
-    std::cerr << "pcl_symmetry_viewer: " << error.what() << '\n';
+    std::cerr << "pcl_symmetry_viewer: " << pcl::symmetry::errorText(error) << '\n';
     return exit_failed;
   }
 }

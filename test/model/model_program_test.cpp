@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 using namespace pcl::symmetry::test;
@@ -38,6 +39,15 @@ TEST(ModelProgram, WritesTheBodyAndItsTruth)
     EXPECT_LE(partner, points);
   }
   EXPECT_EQ(lines, points);
+}
+
+TEST(ModelProgram, TheTruthDoesNotOverwriteTheBody)
+{
+  const ScratchFolder folder;
+  const ProgramRun run = makeBody({folder.file("body.ply"), "--truth", folder.file("./body.ply")});
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_NE(run.errors.find("would be overwritten"), std::string::npos) << run.errors;
+  EXPECT_FALSE(std::filesystem::exists(folder.file("body.ply")));
 }
 
 TEST(ModelProgram, AppliesEveryDisturbance)

@@ -1,10 +1,10 @@
 #include "benchmark/graph_accuracy.h"
 
 #include "../../estimation/src/neighbour_search.h"
-#include "benchmark/error_text.h"
 #include "geodesic/median.h"
 #include "geodesic/parallel.h"
 #include "geodesic/shortest_paths.h"
+#include "io/error_text.h"
 #include "symmetry/readings.h"
 
 #include <pcl/symmetry/surface_io.h>

@@ -1,17 +1,16 @@
 #include "model/write_model.h"
 
+#include "io/output_file.h"
+
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <functional>
 #include <iomanip>
 #include <limits>
+#include <ostream>
+#include <sstream>
 #include <stdexcept>
-#include <system_error>
 
 namespace pcl {
 namespace symmetry {
@@ -26,30 +25,6 @@ ending(const std::string& path)
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   return text;
-}
-
-/** \brief Writes beside the place of the file, then renames, so that nobody ever meets half a file. */
-void
-writeWhole(const std::string& path, const std::function<void(std::ostream&)>& write)
-{
-  const std::string part = path + ".part";
-  const auto fail = [&](int reason) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    throw std::runtime_error("cannot write " + path + ": " + std::generic_category().message(reason));
-  };
-  errno = 0;
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  if (!stream)
-    throw std::runtime_error("cannot write " + path + ": " + std::generic_category().message(errno));
-  write(stream);
-  stream.close();
-  if (!stream)
-    fail(errno == 0 ? EIO : errno);
-  std::error_code renamed;
-  std::filesystem::rename(part, path, renamed);
-  if (renamed)
-    fail(renamed.value());
 }
 
 void
@@ -133,20 +108,20 @@ void
 writePlainSurface(const std::string& path, const Surface& surface)
 {
   const SurfaceWriter writer = findWriter(path);
-  writeWhole(path, [&](std::ostream& stream) {
-    stream << std::setprecision(std::numeric_limits<float>::max_digits10);
-    writer(stream, surface);
-  });
+  std::ostringstream stream;
+  stream << std::setprecision(std::numeric_limits<float>::max_digits10);
+  writer(stream, surface);
+  writeWholeFile(path, stream.str());
 }
 
 void
 writeTruth(const std::string& path, const std::vector<Index>& partners)
 {
-  writeWhole(path, [&](std::ostream& stream) {
-    for (std::size_t i = 0; i < partners.size(); ++i)
-      if (partners[i] != no_index)
-        stream << i + 1 << ' ' << partners[i] + 1 << '\n';
-  });
+  std::ostringstream stream;
+  for (std::size_t i = 0; i < partners.size(); ++i)
+    if (partners[i] != no_index)
+      stream << i + 1 << ' ' << partners[i] + 1 << '\n';
+  writeWholeFile(path, stream.str());
 }
 
 } // namespace symmetry
