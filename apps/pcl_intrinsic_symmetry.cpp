@@ -87,10 +87,12 @@ describeOptions(Options& options, Words& words)
   auto add_method = method.add_options();
   add_method("method", word(words.method, "NAME"), "robust, or staged: the published method step by step");
   add_method("metric", word(words.metric, "NAME"), "geodesic, or euclidean: faster, right only in a symmetric pose");
-  add_method("sparse", "leave out the dense map");
-  add_method("landmarks", number(parameters.landmarks), "sources of full distance fields, 10 to 1000");
+  add_method("sparse", "leave out the dense map and alternatives");
+  add_method("landmarks", number(parameters.landmarks),
+             "of the staged method: sources of full distance fields, 10 to 1000");
   add_method("samples", number(parameters.samples), "evenly spaced samples, 20 to 20000; 0: the method's default");
-  add_method("alternatives", number(parameters.alternatives), "list up to N distinct maps in the report, 1 to 100");
+  add_method("alternatives", number(parameters.alternatives),
+             "list up to N reflections, and apart from them the rotations, in the report");
   add_method("pairing", word(words.pairing, "NAME"),
              "what pairs the extreme points of the staged method: agd, mgd or size");
   add_method("threads", po::value(&words.threads)->default_value(0)->value_name("N"), "0: one per core");

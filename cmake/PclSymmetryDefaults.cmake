@@ -15,6 +15,7 @@ include(GNUInstallDirs)
 
 option(PCL_SYMMETRY_BUILD_TESTS "Build the tests" ON)
 set(PCL_SYMMETRY_TIMEOUT_SCALE 1 CACHE STRING "Factor on the time limits of tests: sanitizers and emulators are slow")
+option(PCL_SYMMETRY_BUILD_VIEWER "Build pcl_symmetry_viewer (needs PCL's visualization)" ON)
 option(PCL_SYMMETRY_BENCHMARKS "Build the timings of single steps (needs libbenchmark-dev)" OFF)
 option(PCL_SYMMETRY_WARNINGS_AS_ERRORS "Stop at a compiler warning" OFF)
 
