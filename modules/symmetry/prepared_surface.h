@@ -17,9 +17,9 @@ namespace symmetry {
 
 /** \brief The largest component of the finite points of a surface.
  *
- * Points are moved and scaled so that the bounding box (of a mesh: of its faces) is centred at the origin and its
- * longest side is 1: whatever the unit of the input, floats neither overflow nor underflow. Point i here is point \a
- * original[i] of the input; the order is kept.
+ * Points are moved and scaled so that the bounding box (of a mesh: of its largest component; of a cloud: without parts
+ * farther away than the largest is long) is centred at the origin and its longest side is 1: whatever the unit of the
+ * input, floats neither overflow nor underflow. Point i here is point \a original[i] of the input; the order is kept.
  */
 struct PreparedSurface {
   std::vector<Vector3> points;

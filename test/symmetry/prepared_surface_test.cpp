@@ -74,6 +74,19 @@ TEST(PreparedSurface, APointFarAwayThatNoFaceUsesChangesNothing)
   EXPECT_EQ(prepared.summary.other_components, 1U);
 }
 
+TEST(PreparedSurface, AComponentFarAwayCostsNoPrecision)
+{
+  const Surface sphere = sphereMesh(4);
+  const PreparedSurface expected = prepare(sphere);
+  Surface mesh = sphere;
+  const auto n = static_cast<Index>(mesh.size());
+  mesh.points.insert(mesh.points.end(), {{1e7F, 0, 0}, {1e7F, 1, 0}, {1e7F, 0, 1}});
+  mesh.triangles.push_back({n, n + 1, n + 2});
+  const PreparedSurface prepared = prepare(mesh);
+  EXPECT_EQ(prepared.points, expected.points);
+  EXPECT_EQ(prepared.summary.other_components, 3U);
+}
+
 TEST(PreparedSurface, FacesThatComeTwiceAreTakenOnce)
 {
   const Surface grid = gridMesh(7, 5);
@@ -276,6 +289,24 @@ TEST(PreparedSurfaceRepresentatives, AreMissingForStrayPointsHoweverFarAway)
     EXPECT_EQ(prepared.summary.outliers, 1U) << far;
     EXPECT_EQ(prepared.representatives.back(), no_index) << far;
   }
+}
+
+TEST(PreparedSurfaceRepresentatives, WhatIsFarFromANoisyCloudDoesNotWidenItsSmoothing)
+{
+  const std::vector<Vector3> sphere = noisy(sphereCloud(15000, cloud_radius), noise, 1);
+  const PreparedSurface expected = prepareCloud(sphere);
+  ASSERT_GT(expected.summary.smoothing_radius, 0.0F);
+  std::vector<Vector3> points = sphere;
+  points.push_back({25.0F * cloud_radius, 0.0F, 0.0F});
+  const std::vector<Vector3> other =
+      noisy(sphereCloud(2000, cloud_radius, {0.0F, 30.0F * cloud_radius, 0.0F}), noise, 2);
+  points.insert(points.end(), other.begin(), other.end());
+  const PreparedSurface prepared = prepareCloud(points);
+  EXPECT_NEAR(prepared.summary.smoothing_radius, expected.summary.smoothing_radius, 1e-3F * cloud_radius);
+  EXPECT_EQ(prepared.size(), expected.size());
+  EXPECT_EQ(prepared.summary.outliers, expected.summary.outliers + 1);
+  EXPECT_EQ(prepared.summary.other_components, expected.summary.other_components + other.size());
+  EXPECT_EQ(prepared.summary.components, expected.summary.components + 1);
 }
 
 TEST(PreparedSurfaceRepresentatives, OfANoisyCloudAreShared)

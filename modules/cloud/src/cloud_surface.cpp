@@ -7,6 +7,7 @@
 #include "geodesic/median.h"
 #include "geodesic/parallel.h"
 #include "geodesic/shortest_paths.h"
+#include "geodesic/union_find.h"
 #include "geodesic/vector_math.h"
 
 #include <algorithm>
@@ -54,38 +55,6 @@ localSpacing(const SurfaceGraph& graph)
   }
   return spacing;
 }
-
-/** Disjoint sets of points. */
-class UnionFind {
-public:
-  explicit UnionFind(std::size_t n) : parent_(n)
-  {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-
-  Index
-  find(Index v)
-  {
-    while (parent_[v] != v) {
-      parent_[v] = parent_[parent_[v]];
-      v = parent_[v];
-    }
-    return v;
-  }
-
-  /** True where a and b were in different sets. */
-  bool
-  join(Index a, Index b)
-  {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
-private:
-  std::vector<Index> parent_;
-};
 
 /** Moves the edges for which a worker's verdict is true; what is left keeps its order.
  * \param[in] make_judge called once per thread, returns a function of an edge */

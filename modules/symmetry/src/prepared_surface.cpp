@@ -30,7 +30,7 @@ void
 keepLargestComponent(PreparedSurface& surface)
 {
   const Components components = connectedComponents(surface.graph);
-  surface.summary.components = components.sizes.size();
+  surface.summary.components += components.sizes.size();
   if (components.sizes.size() < 2) {
     return;
   }
@@ -56,7 +56,7 @@ keepLargestComponent(PreparedSurface& surface)
   surface.graph = std::move(graph);
   const std::size_t before = countLeftOut(surface);
   keepPoints(surface, keep);
-  surface.summary.other_components = countLeftOut(surface) - before;
+  surface.summary.other_components += countLeftOut(surface) - before;
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "cloud/merged_sheets.h"
 #include "cloud/working_cloud.h"
 #include "geodesic/median.h"
+#include "geodesic/union_find.h"
 #include "geodesic/vector_math.h"
 
 #include <algorithm>
@@ -28,8 +29,29 @@ dropNonFinitePoints(PreparedSurface& surface)
   }
 }
 
+/** Distances of all points from the middle of them. Medians, since a mean would follow what is far. */
+std::vector<double>
+distancesFromMiddle(const std::vector<Vector3>& points)
+{
+  std::array<double, 3> middle{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<double> coordinates;
+    coordinates.reserve(points.size());
+    for (const Vector3& p : points) {
+      coordinates.push_back(double{p[k]});
+    }
+    middle[k] = median(std::move(coordinates));
+  }
+  std::vector<double> distances;
+  distances.reserve(points.size());
+  for (const Vector3& p : points) {
+    distances.push_back(std::hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]));
+  }
+  return distances;
+}
+
 /** Drops points of a cloud that are so far from the middle of all that no surface reaches there: at unit scale they
- * would leave few bits for all others. Medians, since a mean would follow them. */
+ * would leave few bits for all others. */
 void
 dropStrayPoints(PreparedSurface& surface)
 {
@@ -37,18 +59,7 @@ dropStrayPoints(PreparedSurface& surface)
   if (surface.size() == 0) {
     return;
   }
-  std::array<double, 3> middle{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::vector<double> coordinates;
-    for (const Vector3& p : surface.points) {
-      coordinates.push_back(double{p[k]});
-    }
-    middle[k] = median(std::move(coordinates));
-  }
-  std::vector<double> distances;
-  for (const Vector3& p : surface.points) {
-    distances.push_back(std::hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]));
-  }
+  const std::vector<double> distances = distancesFromMiddle(surface.points);
   const double typical = median(distances);
   std::vector<char> keep(surface.size());
   std::transform(distances.begin(), distances.end(), keep.begin(),
@@ -60,36 +71,133 @@ dropStrayPoints(PreparedSurface& surface)
   }
 }
 
-/** Moves the bounding box to the origin and scales its longest side to 1, in double: coordinates may be huge. Points of
- * a mesh that no face uses are left out of the box: one that is far away would leave few bits for all others. */
-void
-normalizeScale(PreparedSurface& surface)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+/** The corners of a box around points. */
+struct Box {
   std::array<double, 3> low{infinity, infinity, infinity};
   std::array<double, 3> high{-infinity, -infinity, -infinity};
-  const auto extend = [&low, &high](const Vector3& p) {
+
+  void
+  extend(const Vector3& p)
+  {
     for (int k = 0; k < 3; ++k) {
       low[k] = std::min(low[k], double{p[k]});
       high[k] = std::max(high[k], double{p[k]});
     }
-  };
-  if (surface.triangles.empty()) {
-    std::for_each(surface.points.begin(), surface.points.end(), extend);
   }
+
+  double
+  longestSide() const
+  {
+    return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  }
+
+  /** Along the axis on which it is farthest away; not above 0 inside. */
+  double
+  distanceTo(const Vector3& p) const
+  {
+    double farthest = -infinity;
+    for (int k = 0; k < 3; ++k) {
+      farthest = std::max({farthest, low[k] - p[k], p[k] - high[k]});
+    }
+    return farthest;
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+};
+
+/** Box of a mesh's largest component, since the others take no part; points that no face uses do not either. */
+Box
+boxOfLargestComponent(const PreparedSurface& surface)
+{
+  UnionFind components(surface.size());
   for (const Triangle& t : surface.triangles) {
-    for (const Index v : t) {
-      extend(surface.points[v]);
+    components.join(t[0], t[1]);
+    components.join(t[1], t[2]);
+  }
+  const Index largest = components.largest();
+  Box box;
+  for (const Triangle& t : surface.triangles) {
+    if (components.find(t[0]) == largest) {
+      std::for_each(t.begin(), t.end(), [&](Index v) { box.extend(surface.points[v]); });
     }
   }
-  const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  return box;
+}
+
+/** Moves the middle of the surface's box to the origin and scales its longest side to 1, in double: coordinates may be
+ * huge. What does not take part is outside the box: were it far away, it would leave few bits for all others. */
+void
+normalizeScale(PreparedSurface& surface)
+{
+  Box box;
+  if (surface.triangles.empty()) {
+    std::for_each(surface.points.begin(), surface.points.end(), [&box](const Vector3& p) { box.extend(p); });
+  }
+  else {
+    box = boxOfLargestComponent(surface);
+  }
+  const double extent = box.longestSide();
   const double scale = extent > 0.0 ? 1.0 / extent : 1.0;
   for (Vector3& p : surface.points) {
     for (int k = 0; k < 3; ++k) {
-      p[k] = static_cast<float>((p[k] - 0.5 * (low[k] + high[k])) * scale);
+      p[k] = static_cast<float>((p[k] - 0.5 * (box.low[k] + box.high[k])) * scale);
     }
   }
-  surface.scale = static_cast<float>(scale);
+  surface.scale *= static_cast<float>(scale);
+}
+
+/** Leaves out the parts of a cloud that are farther from the largest one than this is long, another body or single
+ * points, and scales what is left anew: all tolerances are relative to it.
+ * \param[in,out] surface at unit scale */
+void
+dropFarParts(PreparedSurface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
+{
+  constexpr double suspicious = 8.0; // box over median distance from the middle; of one body two to five
+  constexpr std::size_t fewest = 20; // fewer points are no part of their own
+  if (surface.size() == 0 || suspicious * median(distancesFromMiddle(surface.points)) >= 1.0) {
+    return;
+  }
+  const NeighbourLists lists = search(surface.points, parameters.k_search);
+  const auto are_near = [&lists](Index of, Index v) {
+    const auto begin = lists.neighbours.begin() + static_cast<std::ptrdiff_t>(of * lists.k);
+    return std::find(begin, begin + static_cast<std::ptrdiff_t>(lists.k), v) !=
+           begin + static_cast<std::ptrdiff_t>(lists.k);
+  };
+  UnionFind parts(surface.size());
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
+      if (are_near(lists.neighbours[i], static_cast<Index>(v))) { // a stray point has neighbours, but is nobody's
+        parts.join(static_cast<Index>(v), lists.neighbours[i]);
+      }
+    }
+  }
+  const Index largest = parts.largest();
+  Box box;
+  std::vector<std::size_t> sizes(surface.size(), 0);
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    const Index part = parts.find(static_cast<Index>(v));
+    ++sizes[part];
+    if (part == largest) {
+      box.extend(surface.points[v]);
+    }
+  }
+  std::vector<char> keep(surface.size());
+  std::transform(surface.points.begin(), surface.points.end(), keep.begin(),
+                 [&box](const Vector3& p) { return box.distanceTo(p) <= box.longestSide(); });
+  for (const Index v : surface.representatives) {
+    if (v != no_index && keep[v] == 0) {
+      ++(sizes[parts.find(v)] < fewest ? surface.summary.outliers : surface.summary.other_components);
+    }
+  }
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    const bool is_part = parts.find(static_cast<Index>(v)) == static_cast<Index>(v) && sizes[v] >= fewest;
+    surface.summary.components += is_part && keep[v] == 0 ? 1U : 0U;
+  }
+  if (std::find(keep.begin(), keep.end(), 0) != keep.end()) {
+    keepPoints(surface, keep);
+    normalizeScale(surface);
+  }
 }
 
 /** Statistical outlier removal (R. Rusu et al., 2008): drops the points whose mean distance to their neighbours exceeds
@@ -340,6 +448,7 @@ usablePoints(const Surface& surface,
     dropFaces(prepared);
   }
   mergeRepeatedPoints(prepared);
+  dropFarParts(prepared, parameters, search);
   if (parameters.outlier_deviations > 0.0F) {
     dropOutliers(prepared, parameters, search);
   }
