@@ -23,6 +23,19 @@ TEST_F(ReadOff, CountsOnTheirOwnLineOrTheFirst)
   }
 }
 
+TEST_F(ReadOff, PointsTooFarFromTheOriginForTheirExtentAreRefused)
+{
+  const std::string faces = "3 0 1 2\n";
+  EXPECT_NO_THROW(readSurface(writeFile("near.off", "OFF\n3 1 0\n4000 0 0\n4001 0 0\n4000 1 0\n" + faces)));
+  try {
+    readSurface(writeFile("far.off", "OFF\n3 1 0\n500000 4500000 0\n500001 4500000 0\n500000 4500001 0\n" + faces));
+    ADD_FAILURE() << "was read with two steps across";
+  }
+  catch (const std::exception& error) {
+    EXPECT_NE(std::string(error.what()).find("too far from the origin"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(ReadOff, PrefixesOfTheKeyword)
 {
   struct Case {

@@ -43,8 +43,8 @@ fileEnding(const std::string& path);
  * normals where the file has one per point
  *
  * \throws pcl::IOException cannot be opened, has another ending, is empty,
- * truncated or malformed, promises more than it can hold, or has a face with a point that is not there; the message
- * names file, line (from 1) or byte (from 0), and reason
+ * truncated or malformed, lies too far from the origin for single precision, promises more than it can hold, or has a
+ * face with a point that is not there; the message names file, line (from 1) or byte (from 0), and reason
  *
  * \ingroup symmetry
  */
