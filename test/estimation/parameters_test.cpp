@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Parameters,
                          RangeTest,
                          testing::Values(Range{"k_search", &SymmetryParameters::k_search, 3, 256},
                                          Range{"landmarks", &SymmetryParameters::landmarks, 10, 1000},
-                                         Range{"samples", &SymmetryParameters::samples, 20, 20000},
+                                         Range{"samples", &SymmetryParameters::samples, 30, 20000},
                                          Range{"embedding_dimensions", &SymmetryParameters::embedding_dimensions, 2,
                                                20},
                                          Range{"alternatives", &SymmetryParameters::alternatives, 1, 100}),
@@ -69,6 +69,18 @@ INSTANTIATE_TEST_SUITE_P(Parameters,
 TEST(Parameters, DefaultsAreAllowed)
 {
   EXPECT_EQ(complaint([](SymmetryParameters&) {}), "");
+}
+
+TEST(Parameters, TheStagedMethodNeedsFewerSamples)
+{
+  const auto complaint_at = [](int samples) {
+    return complaint([samples](SymmetryParameters& parameters) {
+      parameters.method = Method::Staged;
+      parameters.samples = samples;
+    });
+  };
+  EXPECT_EQ(complaint_at(20), "");
+  EXPECT_NE(complaint_at(19), "");
 }
 
 TEST(Parameters, LengthsAreNumbersThatAreNotNegative)

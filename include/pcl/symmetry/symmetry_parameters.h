@@ -53,7 +53,7 @@ struct SymmetryParameters {
   /** Of the staged method: sources of full distance fields, [10, 1000]. */
   int landmarks = 100;
   /** Evenly spaced samples: staged: of stage 3, robust: that stand for the surface; 0: the method's own default (100
-   * and 1500), else [20, 20000]. */
+   * and 1500), else [20, 20000], robust [30, 20000]. */
   int samples = 0;
   /** Dimensions of the staged method's spectral embedding, [2, 20]. */
   int embedding_dimensions = 3;

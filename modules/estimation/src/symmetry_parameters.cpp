@@ -42,7 +42,7 @@ checkParameters(const SymmetryParameters& parameters)
   checkRange("outlier_deviations", parameters.outlier_deviations, 0.0F, largest);
   checkRange("landmarks", parameters.landmarks, 10, 1000);
   if (parameters.samples != 0) {
-    checkRange("samples", parameters.samples, 20, 20000);
+    checkRange("samples", parameters.samples, parameters.method == Method::Robust ? 30 : 20, 20000);
   }
   checkRange("embedding_dimensions", parameters.embedding_dimensions, 2, 20);
   checkRange("alternatives", parameters.alternatives, 1, 100);
