@@ -1,6 +1,8 @@
 /** \file
  * \brief pcl_intrinsic_symmetry: finds the intrinsic symmetry of a surface and writes what was found.
  */
+#include "io/output_file.h"
+
 #include <pcl/symmetry/surface_io.h>
 #include <pcl/symmetry/symmetry.h>
 
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iomanip>
@@ -90,7 +93,8 @@ describeOptions(Options& options, Words& words)
   add_method("sparse", "leave out the dense map and alternatives");
   add_method("landmarks", number(parameters.landmarks),
              "of the staged method: sources of full distance fields, 10 to 1000");
-  add_method("samples", number(parameters.samples), "evenly spaced samples, 20 to 20000; 0: the method's default");
+  add_method("samples", number(parameters.samples),
+             "evenly spaced samples, 30 (staged: 20) to 20000; 0: the method's default");
   add_method("alternatives", number(parameters.alternatives),
              "list up to N reflections, and apart from them the rotations, in the report");
   add_method("pairing", word(words.pairing, "NAME"),
@@ -149,6 +153,21 @@ messageOf(const std::exception& error)
   return message.compare(0, 2, ": ") == 0 ? message.substr(2) : message;
 }
 
+/** \brief A message that begins with the name of a parameter, with that of its option instead. */
+std::string
+inOptions(const std::string& message)
+{
+  for (const auto& [name, option] : {std::pair("k_search", "--neighbours"),
+                                     {"outlier_deviations", "--outliers"},
+                                     {"radius", "--radius"},
+                                     {"landmarks", "--landmarks"},
+                                     {"samples", "--samples"},
+                                     {"alternatives", "--alternatives"}})
+    if (message.rfind(name, 0) == 0)
+      return option + message.substr(std::string(name).size());
+  return message;
+}
+
 void
 takeParameters(const Words& words, SymmetryParameters& parameters)
 {
@@ -171,7 +190,7 @@ takeParameters(const Words& words, SymmetryParameters& parameters)
     checkParameters(parameters);
   }
   catch (const pcl::BadArgumentException& error) {
-    throw UsageError(messageOf(error));
+    throw UsageError(inOptions(messageOf(error)));
   }
 }
 
@@ -215,10 +234,8 @@ checkOutputs(const Options& options)
   checkEnding("picture", options.outputs.picture, {".png"});
   std::vector<std::string> taken = {options.input};
   for (const std::string& file : wantedFiles(options.outputs)) {
-    const auto is_file = [&](const std::string& other) {
-      std::error_code missing;
-      return std::filesystem::path(file).lexically_normal() == std::filesystem::path(other).lexically_normal() ||
-             (std::filesystem::is_regular_file(file, missing) && std::filesystem::equivalent(file, other, missing));
+    const auto is_file = [&file](const std::string& other) {
+      return areOneFile(file, other);
     };
     if (std::any_of(taken.begin(), taken.end(), is_file))
       throw UsageError("'" + file + "' would be overwritten: each file needs a name of its own");
@@ -414,6 +431,7 @@ complain(const std::string& message, int status)
 int
 main(int argc, char** argv)
 {
+  std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is an error with a message
   try {
     const int status = runCommand(argc, argv);
     return std::cout.flush() ? status : complain("the standard output cannot be written to", exit_failed);

@@ -8,6 +8,7 @@
 #include "benchmark/report_table.h"
 #include "benchmark/run.h"
 #include "io/error_text.h"
+#include "io/output_file.h"
 
 #include <pcl/symmetry/surface_io.h>
 #include <pcl/symmetry/symmetry.h>
@@ -16,6 +17,7 @@
 #include <pcl/exceptions.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 
@@ -195,6 +197,8 @@ checkCombination(const Options& options)
   const bool scores_map = !options.scored_map.empty();
   if (scores_map != !options.score_mesh.empty() || scores_map != !options.score_truth.empty())
     throw UsageError("--score, --mesh and --truth belong together");
+  if (scores_map && (!options.csv.empty() || !options.plot.empty()))
+    throw UsageError("--score writes --json only, neither --csv nor --plot");
   if (scores_map == !options.folder.empty())
     throw UsageError(scores_map ? "either DIR or --score" : "DIR, a folder with data sets, is missing");
   if (options.graph && (options.run.as_cloud || !options.csv.empty() || !options.json.empty() ||
@@ -231,6 +235,19 @@ takeOptions(const po::variables_map& arguments)
   take(arguments, "truth", options.score_truth);
   checkCombination(options);
   return options;
+}
+
+/** Refuses a file that would overwrite another or what is read. */
+void
+checkOutputs(const Options& options, std::vector<std::string> taken)
+{
+  for (const std::string& file : {options.csv, options.json, options.plot}) {
+    if (file.empty())
+      continue;
+    if (std::any_of(taken.begin(), taken.end(), [&file](const std::string& other) { return areOneFile(file, other); }))
+      throw UsageError("'" + file + "' would be overwritten: each file needs a name of its own");
+    taken.push_back(file);
+  }
 }
 
 bool
@@ -284,6 +301,7 @@ writeReports(const Options& options, const std::vector<ModelRun>& runs)
 int
 scoreExistingMap(const Options& options)
 {
+  checkOutputs(options, {options.scored_map, options.score_mesh, options.score_truth});
   const Surface mesh = readSurface(options.score_mesh);
   const GroundTruth truth = readGroundTruth(options.score_truth);
   checkGroundTruth(truth, mesh.size(), options.score_truth);
@@ -324,10 +342,17 @@ printResults(const Options& options, const std::vector<ModelRun>& runs)
 int
 runDataSets(const Options& options)
 {
+  const std::vector<BenchmarkModel> models = selectModels(options);
+  std::vector<std::string> inputs;
+  for (const BenchmarkModel& model : models) {
+    inputs.push_back(model.file);
+    const std::size_t second_file = model.truth.find(".vts:");
+    inputs.push_back(model.truth.substr(0, second_file == std::string::npos ? second_file : second_file + 4));
+  }
+  checkOutputs(options, inputs);
   for (const std::string& file : {options.csv, options.json, options.plot})
     if (!file.empty())
       checkWritable(file);
-  const std::vector<BenchmarkModel> models = selectModels(options);
   if (!options.map_folder.empty())
     std::filesystem::create_directories(options.map_folder);
   printModelHeader(std::cout);
@@ -377,6 +402,7 @@ run(int argc, char** argv)
 int
 main(int argc, char** argv)
 {
+  std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is an error with a message
   try {
     return run(argc, argv);
   }

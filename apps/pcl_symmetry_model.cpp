@@ -2,6 +2,7 @@
  * \brief pcl_symmetry_model: writes a synthetic body with its exact ground truth.
  */
 #include "io/error_text.h"
+#include "io/output_file.h"
 #include "model/articulated_body.h"
 #include "model/disturb.h"
 #include "model/write_model.h"
@@ -9,13 +10,12 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdint>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 
 namespace po = boost::program_options;
 using namespace pcl::symmetry;
@@ -166,21 +166,20 @@ run(const Options& options, const po::variables_map& values)
 {
   Model nothing;
   disturb(nothing, options, values); // refuses wrong values before the work starts
+  for (const std::string& file : {options.output, options.truth})
+    if (!file.empty())
+      checkOutputFile(file);
   Model model = makeModel(options.model);
   disturb(model, options, values);
+  if (model.surface.size() == 0)
+    throw std::runtime_error("the disturbance leaves no point");
   writePlainSurface(options.output, model.surface);
   if (!options.truth.empty())
     writeTruth(options.truth, model.partners);
   if (values.count("quiet") == 0)
     printSummary(options, model);
-}
-
-bool
-areOneFile(const std::string& a, const std::string& b)
-{
-  std::error_code missing;
-  return std::filesystem::path(a).lexically_normal() == std::filesystem::path(b).lexically_normal() ||
-         (std::filesystem::is_regular_file(a, missing) && std::filesystem::equivalent(a, b, missing));
+  if (!std::cout.flush())
+    throw std::runtime_error("standard output: cannot be written");
 }
 
 int
@@ -195,6 +194,7 @@ usageError(const std::string& reason)
 int
 main(int argc, char** argv)
 {
+  std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is an error with a message
   try {
     Options options;
     const po::options_description visible = describeOptions(options);
@@ -213,6 +213,8 @@ main(int argc, char** argv)
     if (options.output.empty())
       return usageError("no output file is named");
     checkSurfaceFileName(options.output);
+    if (values.count("truth") != 0 && options.truth.empty())
+      return usageError("--truth needs the name of a file");
     if (areOneFile(options.output, options.truth))
       return usageError("'" + options.truth + "' would be overwritten: each file needs a name of its own");
     options.model.body = bodyFromName(options.body);

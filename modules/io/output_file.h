@@ -12,7 +12,8 @@ namespace symmetry {
 /** \brief Writes beside the place of a file and moves the result there at the end.
  *
  * Until commit() a file that was there before stays as it was; without commit() nothing is left behind. A link is
- * followed. A device or a pipe (/dev/stdout) cannot be replaced and is written to directly.
+ * followed. A file that may not be written to stays. A device or a pipe (/dev/stdout) cannot be replaced and is written
+ * to directly.
  */
 class OutputFile {
 public:
@@ -49,6 +50,16 @@ private:
   std::string temporary_; ///< empty where \a target_ is written to directly
   int descriptor_ = -1;
 };
+
+/** \brief Throws unless a file can be written there; leaves no trace.
+ *
+ * \throws pcl::IOException */
+void
+checkOutputFile(const std::string& path);
+
+/** \brief Whether two names lead to one file, there or not; one may be empty. */
+bool
+areOneFile(const std::string& a, const std::string& b);
 
 /** \brief Writes \a content as one file, whole or not at all.
  *

@@ -168,7 +168,7 @@ TEST_F(IntrinsicSymmetryProgram, RefusesWrongUsage)
 TEST_F(IntrinsicSymmetryProgram, SaysWhatIsWrongInPlainWords)
 {
   const ProgramRun range = runProgram(program, {human(), "--landmarks", "9"});
-  EXPECT_EQ(range.errors, program + ": landmarks is 9, allowed are 10 to 1000\nTry '" + program + " --help'.\n");
+  EXPECT_EQ(range.errors, program + ": --landmarks is 9, allowed are 10 to 1000\nTry '" + program + " --help'.\n");
   const ProgramRun normals = runProgram(program, {human(), "--as-cloud", "--normals", "given"});
   EXPECT_EQ(normals.exit_status, 1);
   EXPECT_EQ(normals.errors, program + ": " + human() + ": given normals are asked for, but the cloud has none\n");

@@ -37,6 +37,7 @@ TEST_F(MapFileTest, RejectsWhatIsNoMap)
   EXPECT_NE(error("0,3\n").find("map.csv:1: partner 3 is not in [-1, 3)"), std::string::npos);
   EXPECT_NE(error("0,-2\n").find("map.csv:1: partner -2"), std::string::npos);
   EXPECT_NE(error("0,1.5\n").find("map.csv:1: '1.5'"), std::string::npos);
+  EXPECT_NE(error("").find("map.csv: there is nothing in it"), std::string::npos);
   EXPECT_THROW(readMap(path("missing.csv"), 3), pcl::IOException);
 }
 

@@ -104,6 +104,8 @@ TEST_F(IntrinsicSymmetryOptions, WrongUsageIsRefusedBeforeAnythingIsWritten)
                                                        {"--picture", folder_.file("picture.jpg")},
                                                        {"--map", ""},
                                                        {"-o", output, "--axis", output},
+                                                       {"--map", folder_.file("x"), "--report", folder_.file("./x")},
+                                                       {"--samples", "25"},
                                                        {"--map", input_}};
   for (const std::vector<std::string>& arguments : wrong) {
     const ProgramRun refused = run(arguments);

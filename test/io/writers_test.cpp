@@ -206,6 +206,23 @@ TEST_F(Writers, AnOldFileIsReplacedAndALinkFollowed)
   EXPECT_EQ(countFiles(), 2U);
 }
 
+TEST_F(Writers, ALinkToNothingIsFollowedAndALoopRefused)
+{
+  std::filesystem::create_symlink("new.csv", path("link.csv"));
+  writeMap(path("link.csv"), roofSymmetry());
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link.csv")));
+  EXPECT_EQ(readFile("new.csv").substr(0, 6), "vertex");
+  std::filesystem::create_symlink("loop.csv", path("loop.csv"));
+  EXPECT_THROW(writeMap(path("loop.csv"), roofSymmetry()), IOException);
+}
+
+TEST_F(Writers, TheLongestNamesWillDo)
+{
+  const std::string name = std::string(251, 'a') + ".csv";
+  writeMap(path(name), roofSymmetry());
+  EXPECT_EQ(readFile(name).substr(0, 6), "vertex");
+}
+
 } // namespace
 } // namespace test
 } // namespace symmetry

@@ -2,6 +2,8 @@
 
 #include "benchmark/text_lines.h"
 
+#include <pcl/exceptions.h>
+
 #include <utility>
 
 namespace pcl {
@@ -37,6 +39,8 @@ readMap(const std::string& path, std::size_t vertices)
       lines.fail("partner " + std::to_string(partner) + " is not in [-1, " + std::to_string(vertices) + ")");
     partners[static_cast<std::size_t>(vertex)] = partner;
   }
+  if (first)
+    throw pcl::IOException(path + ": there is nothing in it");
   return partners;
 }
 
