@@ -291,6 +291,17 @@ TEST(PreparedSurfaceRepresentatives, AreMissingForStrayPointsHoweverFarAway)
   }
 }
 
+TEST(PreparedSurfaceRepresentatives, AStrayPointFarAwayCostsNoPrecision)
+{
+  const std::vector<Vector3> sphere = sphereCloud(1500, cloud_radius);
+  const PreparedSurface expected = prepareCloud(sphere);
+  std::vector<Vector3> points = sphere;
+  points.push_back({5000.0F * cloud_radius, 0.0F, 0.0F});
+  const PreparedSurface prepared = prepareCloud(points);
+  EXPECT_EQ(prepared.points, expected.points);
+  EXPECT_EQ(prepared.summary.outliers, 1U);
+}
+
 TEST(PreparedSurfaceRepresentatives, WhatIsFarFromANoisyCloudDoesNotWidenItsSmoothing)
 {
   const std::vector<Vector3> sphere = noisy(sphereCloud(15000, cloud_radius), noise, 1);

@@ -106,6 +106,14 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 };
 
+Box
+boxOf(const std::vector<Vector3>& points)
+{
+  Box box;
+  std::for_each(points.begin(), points.end(), [&box](const Vector3& p) { box.extend(p); });
+  return box;
+}
+
 /** Box of a mesh's largest component, since the others take no part; points that no face uses do not either. */
 Box
 boxOfLargestComponent(const PreparedSurface& surface)
@@ -130,13 +138,7 @@ boxOfLargestComponent(const PreparedSurface& surface)
 void
 normalizeScale(PreparedSurface& surface)
 {
-  Box box;
-  if (surface.triangles.empty()) {
-    std::for_each(surface.points.begin(), surface.points.end(), [&box](const Vector3& p) { box.extend(p); });
-  }
-  else {
-    box = boxOfLargestComponent(surface);
-  }
+  const Box box = surface.triangles.empty() ? boxOf(surface.points) : boxOfLargestComponent(surface);
   const double extent = box.longestSide();
   const double scale = extent > 0.0 ? 1.0 / extent : 1.0;
   for (Vector3& p : surface.points) {
@@ -144,18 +146,23 @@ normalizeScale(PreparedSurface& surface)
       p[k] = static_cast<float>((p[k] - 0.5 * (box.low[k] + box.high[k])) * scale);
     }
   }
-  surface.scale *= static_cast<float>(scale);
+  surface.scale = static_cast<float>(scale);
 }
 
 /** Leaves out the parts of a cloud that are farther from the largest one than this is long, another body or single
  * points, and scales what is left anew: all tolerances are relative to it.
- * \param[in,out] surface at unit scale */
+ * \param[in] input where the points come from, with the digits that they have lost at the scale of all
+ * \param[in,out] surface a cloud */
 void
-dropFarParts(PreparedSurface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search)
+dropFarParts(const std::vector<Vector3>& input,
+             const SymmetryParameters& parameters,
+             const NeighbourSearch& search,
+             PreparedSurface& surface)
 {
   constexpr double suspicious = 8.0; // box over median distance from the middle; of one body two to five
   constexpr std::size_t fewest = 20; // fewer points are no part of their own
-  if (surface.size() == 0 || suspicious * median(distancesFromMiddle(surface.points)) >= 1.0) {
+  if (surface.size() == 0 ||
+      suspicious * median(distancesFromMiddle(surface.points)) >= boxOf(surface.points).longestSide()) {
     return;
   }
   const NeighbourLists lists = search(surface.points, parameters.k_search);
@@ -196,6 +203,8 @@ dropFarParts(PreparedSurface& surface, const SymmetryParameters& parameters, con
   }
   if (std::find(keep.begin(), keep.end(), 0) != keep.end()) {
     keepPoints(surface, keep);
+    std::transform(surface.original.begin(), surface.original.end(), surface.points.begin(),
+                   [&input](Index v) { return input[v]; });
     normalizeScale(surface);
   }
 }
@@ -448,7 +457,7 @@ usablePoints(const Surface& surface,
     dropFaces(prepared);
   }
   mergeRepeatedPoints(prepared);
-  dropFarParts(prepared, parameters, search);
+  dropFarParts(surface.points, parameters, search, prepared);
   if (parameters.outlier_deviations > 0.0F) {
     dropOutliers(prepared, parameters, search);
   }
