@@ -3,6 +3,7 @@
 #include "cloud/cloud_normals.h"
 #include "cloud/merged_sheets.h"
 #include "cloud/working_cloud.h"
+#include "geodesic/coincident_points.h"
 #include "geodesic/median.h"
 #include "geodesic/union_find.h"
 #include "geodesic/vector_math.h"
@@ -243,16 +244,10 @@ dropOutliers(PreparedSurface& surface, const SymmetryParameters& parameters, con
 void
 mergeRepeatedPoints(PreparedSurface& surface)
 {
-  std::vector<Index> order(surface.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](Index a, Index b) { return std::tie(surface.points[a], a) < std::tie(surface.points[b], b); });
-  std::vector<Index> first(surface.size());
-  std::vector<char> keep(surface.size(), 1);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool is_repeated = i > 0 && surface.points[order[i]] == surface.points[order[i - 1]];
-    first[order[i]] = is_repeated ? first[order[i - 1]] : order[i];
-    keep[order[i]] = static_cast<char>(!is_repeated);
+  const std::vector<Index> first = firstCoincident(surface.points);
+  std::vector<char> keep(surface.size());
+  for (std::size_t v = 0; v < keep.size(); ++v) {
+    keep[v] = static_cast<char>(first[v] == static_cast<Index>(v));
   }
   if (std::find(keep.begin(), keep.end(), 0) == keep.end()) {
     return;
