@@ -94,7 +94,7 @@ struct AlternativeMap {
 struct SymmetryResult {
   SymmetryStatus status = SymmetryStatus::TooFewPoints;
   std::string message;     ///< for a person: why the status is not Symmetric, or what was noticed
-  float confidence = 0.0F; ///< of the whole map, in [0, 1]; below 0.5 a cloud may well have no symmetry
+  float confidence = 0.0F; ///< of the whole map, in [0, 1]; below two thirds a cloud may well have no symmetry
 
   std::vector<SymmetricMatch> matches; ///< sparse correspondences, spread over the source side
   std::vector<Index> partners;         ///< dense map
