@@ -68,9 +68,6 @@ private:
   std::vector<WantedPlace>
   wantedPlaces(const std::vector<Index>& partners, unsigned threads) const;
 
-  std::vector<Index>
-  cellsAround(Index point) const;
-
   Index
   nearestFacing(Index partner, const WantedPlace& wanted) const;
 
@@ -80,6 +77,7 @@ private:
   float diameter_;
   float spacing_; ///< mean distance between adjacent samples
   std::vector<SurfacePatch> patches_;
+  std::vector<std::vector<Index>> surroundings_; ///< of each cell: itself and the cells within two steps, ascending
 };
 
 } // namespace symmetry

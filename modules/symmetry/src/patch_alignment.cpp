@@ -10,6 +10,28 @@
 
 namespace pcl {
 namespace symmetry {
+namespace {
+
+/** A cell and those within two steps of it, ascending. */
+std::vector<Index>
+withinTwoSteps(const SurfaceGraph& graph, Index cell)
+{
+  std::vector<Index> cells{cell};
+  std::size_t begin = 0;
+  for (int step = 0; step < 2; ++step) {
+    const std::size_t end = cells.size();
+    for (; begin < end; ++begin) {
+      const Index from = cells[begin];
+      cells.insert(cells.end(), graph.neighbours.begin() + graph.offsets[from],
+                   graph.neighbours.begin() + graph.offsets[from + 1]);
+    }
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+} // namespace
 
 PatchAlignment::PatchAlignment(const PreparedSurface& surface,
                                const CoarseSurface& coarse,
@@ -22,11 +44,15 @@ PatchAlignment::PatchAlignment(const PreparedSurface& surface,
       members_(members),
       diameter_(diameter),
       spacing_(sampleSpacing(coarse)),
-      patches_(std::min(size.patches, coarse.size()))
+      patches_(std::min(size.patches, coarse.size())),
+      surroundings_(coarse.size())
 {
   parallelFor(
       patches_.size(), threads,
       [&](std::size_t k) { patches_[k] = patchAround(coarse, static_cast<Index>(k), size.radius * diameter); }, 8);
+  parallelFor(
+      coarse.size(), threads,
+      [&](std::size_t i) { surroundings_[i] = withinTwoSteps(coarse.graph, static_cast<Index>(i)); }, 32);
 }
 
 std::vector<Index>
@@ -122,25 +148,6 @@ PatchAlignment::wantedPlaces(const std::vector<Index>& partners, unsigned thread
   return wanted;
 }
 
-/** The cell of a point and those within two steps of it, ascending. */
-std::vector<Index>
-PatchAlignment::cellsAround(Index point) const
-{
-  std::vector<Index> cells{coarse_.cells.owner[point]};
-  std::size_t begin = 0;
-  for (int step = 0; step < 2; ++step) {
-    const std::size_t end = cells.size();
-    for (; begin < end; ++begin) {
-      const Index cell = cells[begin];
-      cells.insert(cells.end(), coarse_.graph.neighbours.begin() + coarse_.graph.offsets[cell],
-                   coarse_.graph.neighbours.begin() + coarse_.graph.offsets[cell + 1]);
-    }
-  }
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  return cells;
-}
-
 /** The point around the present partner that is nearest to the wanted place and faces as it should. */
 Index
 PatchAlignment::nearestFacing(Index partner, const WantedPlace& wanted) const
@@ -152,7 +159,7 @@ PatchAlignment::nearestFacing(Index partner, const WantedPlace& wanted) const
   };
   Index best = partner;
   float least = std::numeric_limits<float>::infinity();
-  for (const Index cell : cellsAround(partner)) {
+  for (const Index cell : surroundings_[coarse_.cells.owner[partner]]) {
     for (std::uint32_t e = members_.offsets[cell]; e < members_.offsets[cell + 1]; ++e) {
       const float here = cost(members_.points[e]);
       if (here < least) {
