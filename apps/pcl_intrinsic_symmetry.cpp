@@ -1,6 +1,7 @@
 /** \file
  * \brief pcl_intrinsic_symmetry: finds the intrinsic symmetry of a surface and writes what was found.
  */
+#include "io/error_text.h"
 #include "io/output_file.h"
 
 #include <pcl/symmetry/surface_io.h>
@@ -145,14 +146,6 @@ choose(const char* option, const std::string& word, const std::vector<std::pair<
   throw UsageError("--" + std::string(option) + " is " + names + ", not '" + word + "'");
 }
 
-/** \brief The message of an exception, without the ": " that those of PCL begin with. */
-std::string
-messageOf(const std::exception& error)
-{
-  const std::string message = error.what();
-  return message.compare(0, 2, ": ") == 0 ? message.substr(2) : message;
-}
-
 /** \brief A message that begins with the name of a parameter, with that of its option instead. */
 std::string
 inOptions(const std::string& message)
@@ -190,7 +183,7 @@ takeParameters(const Words& words, SymmetryParameters& parameters)
     checkParameters(parameters);
   }
   catch (const pcl::BadArgumentException& error) {
-    throw UsageError(inOptions(messageOf(error)));
+    throw UsageError(inOptions(errorText(error)));
   }
 }
 
@@ -352,7 +345,7 @@ estimate(const Options& options, const Surface& surface)
     });
   }
   catch (const pcl::BadArgumentException& error) {
-    throw std::runtime_error(options.input + ": " + messageOf(error)); // a parameter that this surface cannot have
+    throw std::runtime_error(options.input + ": " + errorText(error)); // a parameter that this surface cannot have
   }
 }
 
@@ -446,6 +439,6 @@ main(int argc, char** argv)
     return complain("out of memory", exit_failed);
   }
   catch (const std::exception& error) {
-    return complain(messageOf(error), exit_failed);
+    return complain(errorText(error), exit_failed);
   }
 }
