@@ -191,6 +191,24 @@ TEST(UsablePoints, OfAMeshWithoutItsConnectionsAreItsVerticesWithTheNormalsOfIts
   EXPECT_EQ(prepared.summary.components, 1U);
 }
 
+TEST(UsablePoints, WithoutAGivenNormalGetOneThatAgreesWithThoseAround)
+{
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  Surface cloud;
+  cloud.points = sphereCloud(1500, cloud_radius);
+  for (std::size_t v = 0; v < cloud.size(); ++v) {
+    cloud.normals.push_back(v % 7 != 0 ? -1.0F * cloud.points[v] : v % 2 == 0 ? Vector3{nan, 0, 0} : Vector3{0, 0, 0});
+  }
+  SymmetryParameters parameters;
+  parameters.normals = NormalSource::Given;
+  const PreparedSurface prepared = prepareSurface(cloud, parameters, nearestNeighbours);
+  ASSERT_EQ(prepared.size(), cloud.size());
+  for (std::size_t v = 0; v < prepared.size(); ++v) {
+    EXPECT_NEAR(norm(prepared.normals[v]), 1.0F, 1e-5F);
+    EXPECT_LT(dot(prepared.normals[v], normalized(prepared.points[v])), -0.99F) << v; // inwards, as those given
+  }
+}
+
 TEST(PreparedSurfaceRepresentatives, AreTheVerticesThemselvesOnAMesh)
 {
   const Surface mesh = sphereMesh(3);
