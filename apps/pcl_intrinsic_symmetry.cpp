@@ -1,8 +1,8 @@
 /** \file
  * \brief pcl_intrinsic_symmetry: finds the intrinsic symmetry of a surface and writes what was found.
  */
-#include "io/error_text.h"
-#include "io/output_file.h"
+#include "base/error_text.h"
+#include "io/write/output_file.h"
 
 #include <pcl/symmetry/surface_io.h>
 #include <pcl/symmetry/symmetry.h>

@@ -1,14 +1,14 @@
 /** \file
  * \brief pcl_symmetry_benchmark: runs the estimation on published data sets and prints the field's metrics.
  */
+#include "base/error_text.h"
 #include "benchmark/error_curve_plot.h"
 #include "benchmark/graph_accuracy.h"
 #include "benchmark/map_file.h"
 #include "benchmark/report_files.h"
 #include "benchmark/report_table.h"
 #include "benchmark/run.h"
-#include "io/error_text.h"
-#include "io/output_file.h"
+#include "io/write/output_file.h"
 
 #include <pcl/symmetry/surface_io.h>
 #include <pcl/symmetry/symmetry.h>

@@ -1,8 +1,8 @@
 /** \file
  * \brief pcl_symmetry_model: writes a synthetic body with its exact ground truth.
  */
-#include "io/error_text.h"
-#include "io/output_file.h"
+#include "base/error_text.h"
+#include "io/write/output_file.h"
 #include "model/articulated_body.h"
 #include "model/disturb.h"
 #include "model/write_model.h"

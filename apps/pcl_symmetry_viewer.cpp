@@ -1,9 +1,9 @@
 /** \file
  * \brief pcl_symmetry_viewer: shows a labelled surface; Shift and a click on a point lights up its partner.
  */
-#include "io/error_text.h"
-#include "io/output_file.h"
-#include "io/palette.h"
+#include "base/error_text.h"
+#include "io/write/output_file.h"
+#include "picture/palette.h"
 
 #include <boost/program_options.hpp>
 #include <pcl/common/common.h>

@@ -127,7 +127,7 @@ function(pcl_symmetry_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/test)
   pcl_symmetry_compile_options(${name})
 
-  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/test ${CMAKE_CURRENT_SOURCE_DIR})
   if(ARG_TOGETHER)
     add_test(NAME ${folder}/${name} COMMAND ${name})
     set_tests_properties(${folder}/${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${folder})

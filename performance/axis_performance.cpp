@@ -1,6 +1,6 @@
 #include "bodies.h"
-#include "symmetry/axis_curve.h"
-#include "symmetry/sides.h"
+#include "symmetry/sides/axis_curve.h"
+#include "symmetry/sides/sides.h"
 
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::performance;

@@ -36,7 +36,7 @@ coarseHuman(std::int64_t vertices)
     CoarseHuman& result = entry->second;
     result.coarse = coarsenSurface(human(vertices).surface, 1500);
     result.basis = laplacianBasis(result.coarse, 60);
-    result.hubs = makeHubSurface(result.coarse, 600, Metric::Geodesic, 1);
+    result.landmarks = makeLandmarkSurface(result.coarse, 600, Metric::Geodesic, 1);
   }
   return entry->second;
 }

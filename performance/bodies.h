@@ -3,10 +3,10 @@
  */
 #pragma once
 
-#include "symmetry/coarse_surface.h"
-#include "symmetry/hub_surface.h"
-#include "symmetry/laplacian_basis.h"
-#include "symmetry/prepared_surface.h"
+#include "symmetry/samples/coarse_surface.h"
+#include "symmetry/samples/landmark_surface.h"
+#include "symmetry/samples/laplacian_basis.h"
+#include "symmetry/surface/prepared_surface.h"
 
 #include <benchmark/benchmark.h>
 
@@ -31,10 +31,10 @@ human(std::int64_t vertices);
 struct CoarseHuman {
   CoarseSurface coarse;
   LaplacianBasis basis;
-  HubSurface hubs;
+  LandmarkSurface landmarks;
 };
 
-/** \brief 1,500 samples, 60 eigenfunctions, 600 hubs. */
+/** \brief 1,500 samples, 60 eigenfunctions, 600 landmarks. */
 const CoarseHuman&
 coarseHuman(std::int64_t vertices);
 

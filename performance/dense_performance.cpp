@@ -1,7 +1,7 @@
 #include "bodies.h"
 #include "geodesic/farthest_point_sampling.h"
 #include "geodesic/shortest_paths.h"
-#include "symmetry/dense_matcher.h"
+#include "symmetry/staged/dense_matcher.h"
 
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::performance;

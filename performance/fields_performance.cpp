@@ -1,9 +1,9 @@
 // Shortest-path fields, with two yardsticks on the same graph: Boost's Dijkstra on a compressed sparse row graph, and
 // Dijkstra with a binary heap that keeps outdated entries.
+#include "base/parallel.h"
 #include "bodies.h"
 #include "geodesic/bucket_queue.h"
 #include "geodesic/min_plus_factor.h"
-#include "geodesic/parallel.h"
 #include "geodesic/shortest_paths.h"
 
 #include <boost/graph/compressed_sparse_row_graph.hpp>

@@ -1,7 +1,7 @@
 #include "bodies.h"
-#include "symmetry/functional_map.h"
-#include "symmetry/map_score.h"
-#include "symmetry/symmetry_search.h"
+#include "symmetry/search/functional_map.h"
+#include "symmetry/search/map_score.h"
+#include "symmetry/search/symmetry_search.h"
 
 #include <random>
 
@@ -67,7 +67,7 @@ hypotheses(benchmark::State& state)
   const CoarseHuman& body = coarseHuman(state.range(0));
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        searchSymmetries(body.coarse, body.basis, body.hubs, {}, static_cast<unsigned>(state.range(1))));
+        searchSymmetries(body.coarse, body.basis, body.landmarks, {}, static_cast<unsigned>(state.range(1))));
   }
 }
 BENCHMARK(hypotheses)

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "benchmark/run.h"
-#include "symmetry/prepared_surface.h"
+#include "symmetry/surface/prepared_surface.h"
 
 #include <iosfwd>
 #include <string>
@@ -42,7 +42,7 @@ struct GraphRun {
 };
 
 /** \brief Disturbs each model, takes its faces away, reads the cloud as the estimation does and compares the graph of
- * the reading that it decides for; \a jobs models at a time, 0: as many as there are cores. */
+ * the interpretation that it decides for; \a jobs models at a time, 0: as many as there are cores. */
 std::vector<GraphRun>
 compareGraphs(const std::vector<BenchmarkModel>& models, const RunOptions& options, unsigned jobs);
 

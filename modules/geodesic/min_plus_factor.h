@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "geodesic/large_memory.h"
+#include "base/large_memory.h"
 #include "geodesic/nested_dissection.h"
 #include "geodesic/surface_graph.h"
 

@@ -4,10 +4,10 @@
 #pragma once
 
 #include "symmetry/map_estimate.h"
-#include "symmetry/prepared_surface.h"
-#include "symmetry/sample_refinement.h"
+#include "symmetry/refine/sample_refinement.h"
+#include "symmetry/search/symmetry_search.h"
 #include "symmetry/step_timer.h"
-#include "symmetry/symmetry_search.h"
+#include "symmetry/surface/prepared_surface.h"
 
 #include <pcl/symmetry/symmetry_parameters.h>
 
@@ -17,7 +17,7 @@ namespace symmetry {
 /** \brief What the robust method is made of; the defaults are those of the class. */
 struct RobustSettings {
   std::size_t samples = 1500;
-  std::size_t hubs = 600;
+  std::size_t landmarks = 600;
   int eigenfunctions = 60;
   SearchSettings search;
   RefinementSettings refinement;

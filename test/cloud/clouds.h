@@ -3,8 +3,8 @@
  */
 #pragma once
 
+#include "base/vector_math.h"
 #include "geodesic/neighbour_graph.h"
-#include "geodesic/vector_math.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "geodesic/large_memory.h"
+#include "base/large_memory.h"
 #include "geodesic/min_plus_factor.h"
 #include "geodesic/nested_dissection.h"
 #include "geodesic/shortest_paths.h"

@@ -1,5 +1,5 @@
+#include "base/vector_math.h"
 #include "geodesic/surface_metric.h"
-#include "geodesic/vector_math.h"
 #include "support/graphs.h"
 
 #include <gtest/gtest.h>

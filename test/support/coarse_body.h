@@ -1,12 +1,13 @@
 /** \file
- * \brief A body with its coarse stand-ins, and its true map among the hubs.
+ * \brief A body with its coarse stand-ins, and its true map among the landmarks.
  */
 #pragma once
 
 #include "support/known_body.h"
-#include "symmetry/functional_map.h"
-#include "symmetry/hub_surface.h"
-#include "symmetry/laplacian_basis.h"
+#include "symmetry/samples/landmark_surface.h"
+#include "symmetry/samples/laplacian_basis.h"
+#include "symmetry/search/functional_map.h"
+#include "symmetry/surface/surface_preparation.h"
 
 namespace pcl {
 namespace symmetry {
@@ -17,16 +18,16 @@ struct CoarseBody {
   PreparedSurface surface;
   CoarseSurface coarse;
   LaplacianBasis basis;
-  HubSurface hubs;
+  LandmarkSurface landmarks;
 
-  /** \brief The hub nearest to the true partner of every hub. */
+  /** \brief The landmark nearest to the true partner of every landmark. */
   SampleMap
   trueMap() const
   {
     SampleMap map;
-    for (std::size_t i = 0; i < hubs.size(); ++i) {
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
       const Index partner = model.partners[coarse.cells.vertices[i]];
-      map.push_back(hubs.nearest_hub[coarse.cells.owner[partner]]);
+      map.push_back(landmarks.nearest_landmark[coarse.cells.owner[partner]]);
     }
     return map;
   }
@@ -38,7 +39,7 @@ preparedMesh(const Surface& mesh)
   return prepareSurface(mesh, SymmetryParameters{}, NeighbourSearch{});
 }
 
-/** \brief 700 samples, 250 of them hubs, 40 eigenfunctions. */
+/** \brief 700 samples, 250 of them landmarks, 40 eigenfunctions. */
 inline CoarseBody
 coarseBody(Body kind, double bend, std::uint64_t seed = 1)
 {
@@ -47,7 +48,7 @@ coarseBody(Body kind, double bend, std::uint64_t seed = 1)
   result.surface = preparedMesh(result.model.surface);
   result.coarse = coarsenSurface(result.surface, 700);
   result.basis = laplacianBasis(result.coarse, 40);
-  result.hubs = makeHubSurface(result.coarse, 250, Metric::Geodesic, 1);
+  result.landmarks = makeLandmarkSurface(result.coarse, 250, Metric::Geodesic, 1);
   return result;
 }
 

@@ -3,8 +3,8 @@
  */
 #pragma once
 
+#include "base/vector_math.h"
 #include "geodesic/shortest_paths.h"
-#include "geodesic/vector_math.h"
 #include "model/articulated_body.h"
 #include "support/graphs.h"
 

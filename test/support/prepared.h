@@ -4,7 +4,7 @@
 #pragma once
 
 #include "support/shapes.h"
-#include "symmetry/prepared_surface.h"
+#include "symmetry/surface/surface_preparation.h"
 
 #include <algorithm>
 #include <numeric>

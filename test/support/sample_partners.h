@@ -3,9 +3,9 @@
  */
 #pragma once
 
-#include "geodesic/vector_math.h"
+#include "base/vector_math.h"
 #include "support/coarse_body.h"
-#include "symmetry/surface_patch.h"
+#include "symmetry/samples/surface_patch.h"
 
 namespace pcl {
 namespace symmetry {

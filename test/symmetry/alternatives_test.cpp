@@ -1,4 +1,4 @@
-#include "geodesic/vector_math.h"
+#include "base/vector_math.h"
 #include "support/symmetric_shapes.h"
 #include "symmetry/pipeline.h"
 

@@ -106,7 +106,7 @@ struct SymmetryResult {
   std::vector<AlternativeMap> alternatives; ///< on request: the reflections, best first; the first is the map above
   std::vector<AlternativeMap> rotations;    ///< on request: maps that keep the orientation, best first
 
-  float diameter = 0.0F; ///< largest distance between landmarks or hubs, in the unit of the points
+  float diameter = 0.0F; ///< largest distance between landmarks or landmarks, in the unit of the points
   InputSummary input;
   MapSummary map;
   std::vector<std::pair<std::string, double>> seconds; ///< wall time per step, in order; steps do not overlap

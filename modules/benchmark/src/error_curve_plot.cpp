@@ -1,6 +1,6 @@
 #include "benchmark/error_curve_plot.h"
 
-#include "io/output_file.h"
+#include "io/write/output_file.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 #include "benchmark/graph_accuracy.h"
 
 #include "../../estimation/src/neighbour_search.h"
-#include "geodesic/median.h"
-#include "geodesic/parallel.h"
+#include "base/error_text.h"
+#include "base/parallel.h"
+#include "base/statistics.h"
 #include "geodesic/shortest_paths.h"
-#include "io/error_text.h"
-#include "symmetry/readings.h"
+#include "symmetry/interpretations.h"
 
 #include <pcl/symmetry/surface_io.h>
 
@@ -59,13 +59,13 @@ compareModel(GraphRun& run, const RunOptions& options)
   input.surface.triangles.clear();
   StepTimer timer;
   InputSummary summary;
-  const Reading reading = bestReading(
+  const Interpretation interpretation = bestInterpretation(
       input.surface, options.parameters,
       [&options](const std::vector<Vector3>& points, int k) {
         return searchByKdTree(points, k, options.parameters.threads);
       },
       timer, summary);
-  run.accuracy = compareGraph(mesh, reading.surface, input.origins, options.parameters.threads);
+  run.accuracy = compareGraph(mesh, interpretation.surface, input.origins, options.parameters.threads);
 }
 
 void

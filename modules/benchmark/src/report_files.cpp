@@ -2,7 +2,7 @@
 
 #include "benchmark/confidence_metrics.h"
 #include "benchmark/summary.h"
-#include "io/output_file.h"
+#include "io/write/output_file.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "benchmark/run.h"
 
-#include "geodesic/parallel.h"
-#include "io/error_text.h"
+#include "base/error_text.h"
+#include "base/parallel.h"
 
 #include <pcl/symmetry/surface_io.h>
 #include <pcl/symmetry/symmetry.h>

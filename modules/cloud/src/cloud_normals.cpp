@@ -1,7 +1,7 @@
 #include "cloud/cloud_normals.h"
 
-#include "geodesic/parallel.h"
-#include "geodesic/vector_math.h"
+#include "base/parallel.h"
+#include "base/vector_math.h"
 
 #include <Eigen/Eigenvalues>
 

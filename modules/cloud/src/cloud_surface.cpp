@@ -1,14 +1,14 @@
 #include "cloud/cloud_surface.h"
 
+#include "base/parallel.h"
+#include "base/statistics.h"
+#include "base/union_find.h"
+#include "base/vector_math.h"
 #include "cloud/cloud_normals.h"
 #include "cloud/local_delaunay.h"
 #include "cloud/point_grid.h"
 #include "cloud/sheet_normals.h"
-#include "geodesic/median.h"
-#include "geodesic/parallel.h"
 #include "geodesic/shortest_paths.h"
-#include "geodesic/union_find.h"
-#include "geodesic/vector_math.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "cloud/local_delaunay.h"
 
-#include "geodesic/parallel.h"
-#include "geodesic/vector_math.h"
+#include "base/parallel.h"
+#include "base/vector_math.h"
 
 #include <algorithm>
 #include <cmath>

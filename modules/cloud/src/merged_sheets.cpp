@@ -1,6 +1,6 @@
 #include "cloud/merged_sheets.h"
 
-#include "geodesic/vector_math.h"
+#include "base/vector_math.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "cloud/outside_space.h"
 
-#include "geodesic/vector_math.h"
+#include "base/vector_math.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "cloud/sheet_smoothing.h"
 
+#include "base/parallel.h"
+#include "base/statistics.h"
+#include "base/vector_math.h"
 #include "cloud/point_grid.h"
-#include "geodesic/median.h"
-#include "geodesic/parallel.h"
-#include "geodesic/vector_math.h"
 #include "kernels/kernels.h"
 
 #include <Eigen/Eigenvalues>

@@ -1,6 +1,6 @@
 #include "neighbour_search.h"
 
-#include "geodesic/parallel.h"
+#include "base/parallel.h"
 
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_cloud.h>

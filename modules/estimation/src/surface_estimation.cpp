@@ -1,4 +1,4 @@
-#include "geodesic/vector_math.h"
+#include "base/vector_math.h"
 #include "neighbour_search.h"
 #include "refuse_argument.h"
 #include "symmetry/pipeline.h"

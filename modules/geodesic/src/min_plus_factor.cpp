@@ -1,7 +1,7 @@
 #include "geodesic/min_plus_factor.h"
 
+#include "base/parallel.h"
 #include "geodesic/min_plus_matrix.h"
-#include "geodesic/parallel.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,6 +1,6 @@
+#include "base/parallel.h"
 #include "geodesic/min_plus_factor.h"
 #include "geodesic/min_plus_matrix.h"
-#include "geodesic/parallel.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
 #include "geodesic/min_plus_matrix.h"
 
-#include "geodesic/parallel.h"
+#include "base/parallel.h"
 
 #include <algorithm>
 

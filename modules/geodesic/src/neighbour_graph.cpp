@@ -1,6 +1,6 @@
 #include "geodesic/neighbour_graph.h"
 
-#include "geodesic/vector_math.h"
+#include "base/vector_math.h"
 
 namespace pcl {
 namespace symmetry {

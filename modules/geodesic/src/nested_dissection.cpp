@@ -1,6 +1,6 @@
 #include "geodesic/nested_dissection.h"
 
-#include "geodesic/parallel.h"
+#include "base/parallel.h"
 #include "geodesic/vertex_cover.h"
 
 #include <algorithm>

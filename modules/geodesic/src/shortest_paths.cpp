@@ -1,9 +1,9 @@
 #include "geodesic/shortest_paths.h"
 
+#include "base/large_memory.h"
+#include "base/parallel.h"
 #include "geodesic/bucket_queue.h"
-#include "geodesic/large_memory.h"
 #include "geodesic/min_plus_factor.h"
-#include "geodesic/parallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "geodesic/surface_graph.h"
 
-#include "geodesic/vector_math.h"
+#include "base/vector_math.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,8 +1,8 @@
 #include "geodesic/surface_metric.h"
 
+#include "base/parallel.h"
+#include "base/vector_math.h"
 #include "geodesic/farthest_point_sampling.h"
-#include "geodesic/parallel.h"
-#include "geodesic/vector_math.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "model/write_model.h"
 
-#include "io/output_file.h"
+#include "io/write/output_file.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,9 +1,9 @@
 #include "symmetry/pipeline.h"
 
-#include "symmetry/axis_curve.h"
-#include "symmetry/map_quality.h"
-#include "symmetry/readings.h"
-#include "symmetry/sides.h"
+#include "symmetry/interpretations.h"
+#include "symmetry/sides/axis_curve.h"
+#include "symmetry/sides/map_quality.h"
+#include "symmetry/sides/sides.h"
 
 #include <algorithm>
 
@@ -123,12 +123,12 @@ estimateInto(SymmetryResult& result,
              const NeighbourSearch& search,
              StepTimer& timer)
 {
-  Reading reading = bestReading(surface, parameters, search, timer, result.input);
+  Interpretation interpretation = bestInterpretation(surface, parameters, search, timer, result.input);
   if (parameters.sparse_only) {
-    reading.estimate.partners.clear(); // only now: readings are compared by their dense maps
+    interpretation.estimate.partners.clear(); // only now: interpretations are compared by their dense maps
   }
-  const PreparedSurface& prepared = reading.surface;
-  const MapEstimate& estimate = reading.estimate;
+  const PreparedSurface& prepared = interpretation.surface;
+  const MapEstimate& estimate = interpretation.estimate;
   result.input = prepared.summary;
   result.status = estimate.status;
   result.message = estimate.message;

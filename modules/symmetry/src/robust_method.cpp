@@ -1,13 +1,13 @@
 #include "symmetry/robust_method.h"
 
-#include "geodesic/parallel.h"
+#include "base/parallel.h"
 #include "geodesic/shortest_paths.h"
-#include "symmetry/distinct_symmetries.h"
-#include "symmetry/hub_regions.h"
-#include "symmetry/map_confidence.h"
-#include "symmetry/pair_votes.h"
-#include "symmetry/point_map.h"
-#include "symmetry/sample_interpolation.h"
+#include "symmetry/confidence/distinct_symmetries.h"
+#include "symmetry/confidence/map_confidence.h"
+#include "symmetry/refine/point_map.h"
+#include "symmetry/samples/sample_interpolation.h"
+#include "symmetry/sides/limb_regions.h"
+#include "symmetry/sides/side_votes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr std::size_t fewest_samples = 30;
 struct SurfaceModel {
   CoarseSurface coarse;
   LaplacianBasis basis;
-  HubSurface hubs;
+  LandmarkSurface landmarks;
 };
 
 /** Votes of the ordered pairs at every sample, carried over to the points and made antisymmetric under the map. */
@@ -55,7 +55,7 @@ pointSides(const SurfaceModel& model,
   return sides;
 }
 
-/** One match for every hub on the source side that moves, with the hub nearest to the middle of the way. */
+/** One match for every landmark on the source side that moves, with the landmark nearest to the middle of the way. */
 std::vector<SymmetricMatch>
 sparseMatches(const SurfaceModel& model,
               const SampleMap& map,
@@ -64,20 +64,21 @@ sparseMatches(const SurfaceModel& model,
 {
   constexpr std::size_t most = 100;
   constexpr float least_distance = 0.05F;
-  const HubSurface& hubs = model.hubs;
+  const LandmarkSurface& landmarks = model.landmarks;
   std::vector<SymmetricMatch> matches;
-  for (std::size_t i = 0; i < hubs.size() && matches.size() < most; ++i) {
+  for (std::size_t i = 0; i < landmarks.size() && matches.size() < most; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    const Index partner = model.hubs.nearest_hub[map[i]];
+    const Index partner = model.landmarks.nearest_landmark[map[i]];
     const Index point = model.coarse.cells.vertices[i];
-    const float apart = hubs.distances(row, partner);
-    if (apart < least_distance * hubs.diameter || sides[point] <= 0.0F) {
+    const float apart = landmarks.distances(row, partner);
+    if (apart < least_distance * landmarks.diameter || sides[point] <= 0.0F) {
       continue;
     }
     Eigen::Index middle = 0;
-    (hubs.distances.col(row).cwiseMax(hubs.distances.col(partner))).minCoeff(&middle);
+    (landmarks.distances.col(row).cwiseMax(landmarks.distances.col(partner))).minCoeff(&middle);
     const float change =
-        (hubs.distances(partner, row) - hubs.distances(row, model.hubs.nearest_hub[map[partner]])) / hubs.diameter;
+        (landmarks.distances(partner, row) - landmarks.distances(row, model.landmarks.nearest_landmark[map[partner]])) /
+        landmarks.diameter;
     matches.push_back({point, points_of_partners[i], model.coarse.cells.vertices[static_cast<std::size_t>(middle)],
                        std::abs(change)});
   }
@@ -86,12 +87,15 @@ sparseMatches(const SurfaceModel& model,
 
 /** Region of every point and the ends of the limbs. */
 void
-describeLimbs(const SurfaceModel& model, const SampleMap& hub_map, const OrderedPairs& pairs, MapEstimate& estimate)
+describeLimbs(const SurfaceModel& model,
+              const SampleMap& landmark_map,
+              const OrderedPairs& pairs,
+              MapEstimate& estimate)
 {
-  const auto limbs = swappedExtremities(model.hubs, hub_map, pairs);
-  const std::vector<Region> hub_regions = hubRegions(model.hubs, limbs);
+  const auto limbs = swappedExtremities(model.landmarks, landmark_map, pairs);
+  const std::vector<Region> landmark_regions = hubRegions(model.landmarks, limbs);
   for (const Index cell : model.coarse.cells.owner) {
-    estimate.regions.push_back(hub_regions[model.hubs.nearest_hub[cell]]);
+    estimate.regions.push_back(landmark_regions[model.landmarks.nearest_landmark[cell]]);
   }
   for (const auto& [source, target] : limbs) {
     estimate.extremities.push_back(model.coarse.cells.vertices[source]);
@@ -116,7 +120,7 @@ struct Contender {
   float confidence = 0.0F;
 };
 
-/** From candidates among the hubs to maps of all points. */
+/** From candidates among the landmarks to maps of all points. */
 class RobustEstimation {
 public:
   /** All that is given is referred to, not copied. */
@@ -131,7 +135,7 @@ public:
         interpolation_(interpolateFromSamples(surface, model.coarse, parameters.threads)),
         members_(membersOfCells(model.coarse)),
         probes_(thinnedMembers(members_, settings.refinement.probes)),
-        spacing_(surface.is_cloud ? measureSpacing(surface.graph, model.coarse.cells.vertices, model.hubs.diameter)
+        spacing_(surface.is_cloud ? measureSpacing(surface.graph, model.coarse.cells.vertices, model.landmarks.diameter)
                                   : PointSpacing{}),
         share_at_holes_(static_cast<float>(std::count(model.coarse.at_hole.begin(), model.coarse.at_hole.end(), 1)) /
                         static_cast<float>(model.coarse.size())),
@@ -139,7 +143,7 @@ public:
         refinement_(surface,
                     model.coarse,
                     model.basis,
-                    model.hubs,
+                    model.landmarks,
                     interpolation_,
                     members_,
                     settings.refinement,
@@ -179,7 +183,7 @@ public:
   confidenceOf(const SymmetryCandidate& candidate, const SampleEstimate& samples) const
   {
     return mapConfidence({samples.score, candidate.score.curvature,
-                          findAsymmetry(model_.hubs, descriptor_.curvature, samples.hub_map), samples.fit,
+                          findAsymmetry(model_.landmarks, descriptor_.curvature, samples.landmark_map), samples.fit,
                           samples.worst_distance, surface_.summary.smoothing_radius > 0.0F, share_at_holes_, spacing_});
   }
 
@@ -189,12 +193,12 @@ public:
   describeMap(const SampleEstimate& samples, MapEstimate& estimate) const
   {
     estimate.partners = partnersOf(samples);
-    const OrderedPairs pairs = orderPairs(model_.hubs, samples.hub_map);
+    const OrderedPairs pairs = orderPairs(model_.landmarks, samples.landmark_map);
     estimate.side_function = pointSides(model_, pairs, interpolation_, estimate.partners, parameters_.threads);
     estimate.matches = sparseMatches(model_, samples.map, samples.partners, estimate.side_function);
     estimate.confidences =
-        pointConfidences(model_.hubs, model_.coarse, samples.map, interpolation_, estimate.confidence);
-    describeLimbs(model_, samples.hub_map, pairs, estimate);
+        pointConfidences(model_.landmarks, model_.coarse, samples.map, interpolation_, estimate.confidence);
+    describeLimbs(model_, samples.landmark_map, pairs, estimate);
   }
 
   /** Dense maps of the symmetries among the candidates, as many as were asked for. */
@@ -204,7 +208,7 @@ public:
     if (parameters_.alternatives <= 1 || parameters_.sparse_only) {
       return;
     }
-    const DistinctSymmetries distinct = distinctSymmetries(model_.hubs, descriptor_, candidates, settings_.search,
+    const DistinctSymmetries distinct = distinctSymmetries(model_.landmarks, descriptor_, candidates, settings_.search,
                                                            static_cast<std::size_t>(parameters_.alternatives));
     for (const DistinctReflection& reflection : distinct.reflections) {
       const SampleEstimate samples = refinement_.refine(reflection.candidate);
@@ -273,7 +277,7 @@ modelSurface(const PreparedSurface& surface,
   timer.start("embedding", 0.2);
   model.basis = laplacianBasis(model.coarse, settings.eigenfunctions);
   timer.start("geodesics", 0.3);
-  model.hubs = makeHubSurface(model.coarse, settings.hubs, parameters.metric, parameters.threads);
+  model.landmarks = makeLandmarkSurface(model.coarse, settings.landmarks, parameters.metric, parameters.threads);
   return model;
 }
 
@@ -298,11 +302,11 @@ estimateRobust(const PreparedSurface& surface,
   }
   estimate.status = SymmetryStatus::NoSymmetry;
   estimate.message = "no map explains the surface as a reflection of itself";
-  estimate.diameter = model.hubs.diameter;
+  estimate.diameter = model.landmarks.diameter;
 
   timer.start("hypotheses", 0.4);
   const std::vector<SymmetryCandidate> candidates =
-      searchSymmetries(model.coarse, model.basis, model.hubs, settings.search, parameters.threads);
+      searchSymmetries(model.coarse, model.basis, model.landmarks, settings.search, parameters.threads);
   if (candidates.empty()) {
     return estimate;
   }

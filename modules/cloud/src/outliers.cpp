@@ -1,0 +1,188 @@
+#include "cloud/outliers.h"
+
+#include "base/statistics.h"
+#include "base/vector_math.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Points whose neighbours are, in the lower quartile, several times closer to theirs. */
+std::vector<char>
+findLonely(const NeighbourLists& lists, const std::vector<float>& mean_distance)
+{
+  constexpr float farther = 3.0F;
+  std::vector<char> outlier(mean_distance.size(), 0);
+  std::vector<float> around;
+  for (std::size_t v = 0; v < mean_distance.size(); ++v) {
+    around.clear();
+    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
+      if (static_cast<std::size_t>(lists.neighbours[i]) != v) {
+        around.push_back(mean_distance[lists.neighbours[i]]);
+      }
+    }
+    if (!around.empty()) {
+      const auto quartile = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 4);
+      std::nth_element(around.begin(), quartile, around.end());
+      outlier[v] = static_cast<char>(*quartile > 0.0F && mean_distance[v] > farther * *quartile);
+    }
+  }
+  return outlier;
+}
+
+/** Where the neighbours of a point lie, and perhaps itself, seen from it. */
+struct Neighbourhood {
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
+};
+
+Neighbourhood
+neighbourhood(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v, float weight_of_itself)
+{
+  Neighbourhood around;
+  float number = weight_of_itself;
+  for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
+    if (static_cast<std::size_t>(lists.neighbours[i]) != v) {
+      const Vector3 offset = points[lists.neighbours[i]] - points[v];
+      const Eigen::Vector3f x(offset[0], offset[1], offset[2]);
+      around.mean += x;
+      around.covariance += x * x.transpose();
+      number += 1.0F;
+    }
+  }
+  if (number > 0.0F) {
+    around.mean /= number;
+    around.covariance = around.covariance / number - around.mean * around.mean.transpose();
+  }
+  return around;
+}
+
+/** Standard deviation of a point, which counts twice, and its neighbours across their plane, over that in all
+ * directions: 0 of a plane, 0.58 of a ball. */
+float
+flatness(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v)
+{
+  const Eigen::Matrix3f covariance = neighbourhood(points, lists, v, 2.0F).covariance;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
+  const float all = covariance.trace();
+  return all > 0.0F ? std::sqrt(std::max(0.0F, solver.eigenvalues()(0)) / all) : 0.0F;
+}
+
+/** Whether a point is off the plane through its neighbours by more than these are.
+ * \param[in] mean_distance from them */
+bool
+isOffPlane(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v, float mean_distance)
+{
+  constexpr float deviations = 3.0F; // of the neighbours from their plane
+  constexpr float distances = 0.8F;  // a point of a sparse surface may well be off by half of that
+  const Neighbourhood around = neighbourhood(points, lists, v, 0.0F);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(around.covariance);
+  const float offset = std::abs(solver.eigenvectors().col(0).dot(around.mean));
+  return offset > deviations * std::sqrt(std::max(0.0F, solver.eigenvalues()(0))) && offset > distances * mean_distance;
+}
+
+/** Marks points beside the surface: hardly any of their neighbours has them among its own, since the surface has nearer
+ * ones for it, and they are off the plane of their neighbours. */
+void
+markBesideSurface(const std::vector<Vector3>& points,
+                  const NeighbourLists& lists,
+                  const std::vector<float>& distances,
+                  std::vector<char>& stray)
+{
+  constexpr int hardly_any = 2;
+  std::vector<int> times_a_neighbour(points.size(), 0);
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
+      times_a_neighbour[lists.neighbours[i]] += static_cast<std::size_t>(lists.neighbours[i]) != v ? 1 : 0;
+    }
+  }
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (stray[v] == 0 && times_a_neighbour[v] <= hardly_any && isOffPlane(points, lists, v, distances[v])) {
+      stray[v] = 1;
+    }
+  }
+}
+
+/** Whether noise fills space as stray points do: then these are told when the noise is smoothed. */
+bool
+isThick(const std::vector<Vector3>& points, const NeighbourLists& lists)
+{
+  constexpr float thick = 0.14F;
+  constexpr std::size_t probes = 1000;
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / probes);
+  std::vector<float> probed;
+  for (std::size_t v = 0; v < points.size(); v += stride) {
+    probed.push_back(flatness(points, lists, v));
+  }
+  return median(probed) > thick;
+}
+
+/** Marks also what has hardly any neighbours that are not marked. */
+void
+spread(const NeighbourLists& lists, std::vector<char>& stray)
+{
+  constexpr int rounds = 3;
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<char> before = stray;
+    for (std::size_t v = 0; v < stray.size(); ++v) {
+      std::size_t found = 0;
+      std::size_t marked = 0;
+      for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i, ++found) {
+        marked += static_cast<std::size_t>(before[lists.neighbours[i]]);
+      }
+      if (2 * marked > found) {
+        stray[v] = 1;
+      }
+    }
+  }
+}
+
+} // namespace
+
+std::vector<float>
+neighbourDistances(const std::vector<Vector3>& points, const NeighbourLists& lists)
+{
+  std::vector<float> mean(points.size(), 0.0F);
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    std::size_t found = 0;
+    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i, ++found) {
+      mean[v] += distance(points[v], points[lists.neighbours[i]]);
+    }
+    mean[v] /= static_cast<float>(std::max<std::size_t>(found, 1));
+  }
+  return mean;
+}
+
+std::vector<char>
+findStrayPoints(const std::vector<Vector3>& points, const NeighbourLists& lists, const std::vector<float>& distances)
+{
+  constexpr float far_apart = 3.0F;    // times the median: about that where the density is a tenth
+  constexpr float fills_space = 0.28F; // few points at random are rarely flatter, a surface rarely fuller
+  std::vector<char> stray = findLonely(lists, distances);
+  if (isThick(points, lists)) {
+    return stray;
+  }
+  markBesideSurface(points, lists, distances, stray);
+  const float far = far_apart * median(distances);
+  bool found = false;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (stray[v] == 0 && distances[v] > far && flatness(points, lists, v) > fills_space) {
+      stray[v] = 1;
+      found = true;
+    }
+  }
+  if (found) {
+    spread(lists, stray);
+  }
+  return stray;
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,92 @@
+#include "io/read/file_content.h"
+
+#include <pcl/exceptions.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** \brief A file descriptor that closes itself. */
+class Descriptor {
+public:
+  explicit Descriptor(int number) : number_(number)
+  {
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor&
+  operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&&) = delete;
+  Descriptor&
+  operator=(Descriptor&&) = delete;
+  ~Descriptor()
+  {
+    if (number_ >= 0)
+      ::close(number_);
+  }
+
+  int
+  number() const
+  {
+    return number_;
+  }
+
+private:
+  int number_;
+};
+
+} // namespace
+
+FileContent::FileContent(const std::string& path) : path_(path)
+{
+  // Without O_NONBLOCK, opening a named pipe would wait for its writer.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat status = {};
+  if (file.number() < 0 || ::fstat(file.number(), &status) != 0)
+    fail(std::string("cannot be opened: ") + std::strerror(errno));
+  if (S_ISDIR(status.st_mode))
+    fail("is a directory");
+  if (!S_ISREG(status.st_mode))
+    fail("is not a regular file");
+  if (status.st_size == 0)
+    fail("is empty");
+
+  const auto expected = static_cast<std::size_t>(status.st_size);
+  bytes_.reset(new char[expected]); // not make_unique: zeroing first would cost as much as reading
+  while (size_ < expected) {
+    const ssize_t count = ::read(file.number(), bytes_.get() + size_, expected - size_);
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      fail(std::string("cannot be read: ") + std::strerror(errno));
+    if (count == 0)
+      fail("became shorter while it was read");
+    size_ += static_cast<std::size_t>(count);
+  }
+}
+
+void
+FileContent::fail(const std::string& reason) const
+{
+  throw IOException(path_ + ": " + reason);
+}
+
+void
+FileContent::failAtLine(std::size_t line, const std::string& reason) const
+{
+  fail("line " + std::to_string(line) + ": " + reason);
+}
+
+void
+FileContent::failAtByte(std::size_t byte, const std::string& reason) const
+{
+  fail("byte " + std::to_string(byte) + ": " + reason);
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,133 @@
+#include "io/read/readers.h"
+#include "io/read/surface_builder.h"
+#include "io/read/text_scanner.h"
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** \brief The surface as far as it is read, with what can only be judged at the end. */
+class ObjReader {
+public:
+  explicit ObjReader(const FileContent& file)
+      : file_(file), text_(file, {/*hash_comments=*/true, /*backslash_continues=*/true})
+  {
+  }
+
+  Surface
+  read()
+  {
+    while (text_.nextLine())
+      readStatement();
+    // A face may name a point of a later line, so the end of the points is known only now.
+    if (largest_index_ >= static_cast<std::int64_t>(surface_.size()))
+      file_.failAtLine(largest_index_line_, "the face refers to point " + std::to_string(largest_index_ + 1) + " of " +
+                                                std::to_string(surface_.size()));
+    if (!normals_match_points_ || surface_.normals.size() != surface_.size())
+      surface_.normals.clear();
+    return std::move(surface_);
+  }
+
+private:
+  void
+  readStatement()
+  {
+    const std::string_view keyword = text_.word();
+    if (keyword == "v") {
+      surface_.points.push_back(readVector());
+      while (!text_.atLineEnd())
+        text_.number(); // weight or colour
+      if (surface_.size() > most_points)
+        text_.fail("more points than can be numbered");
+    }
+    else if (keyword == "vn") {
+      surface_.normals.push_back(readVector());
+      text_.needLineEnd();
+    }
+    else if (keyword == "f") {
+      readFace();
+    }
+  }
+
+  Vector3
+  readVector()
+  {
+    const float x = text_.number();
+    const float y = text_.number();
+    return {x, y, text_.number()};
+  }
+
+  void
+  readFace()
+  {
+    corners_.clear();
+    for (std::string_view word = text_.word(); !word.empty(); word = text_.word())
+      corners_.push_back(readCorner(word));
+    if (corners_.empty())
+      text_.fail("a face without corners");
+    appendPolygon(corners_, surface_.triangles);
+  }
+
+  /** \brief Takes apart `v`, `v/vt`, `v//vn` or `v/vt/vn`. */
+  Index
+  readCorner(std::string_view word)
+  {
+    const std::size_t first_slash = word.find('/');
+    const std::int64_t point = readIndex(word, word.substr(0, first_slash), surface_.size());
+    if (first_slash != std::string_view::npos) {
+      const std::string_view rest = word.substr(first_slash + 1);
+      const std::size_t second_slash = rest.find('/');
+      const std::string_view texture = rest.substr(0, second_slash);
+      if (!texture.empty())
+        needInteger(word, texture);
+      if (second_slash != std::string_view::npos) {
+        const std::int64_t normal = readIndex(word, rest.substr(second_slash + 1), surface_.normals.size());
+        normals_match_points_ = normals_match_points_ && normal == point;
+      }
+    }
+    if (point > largest_index_) {
+      largest_index_ = point;
+      largest_index_line_ = text_.line();
+    }
+    return static_cast<Index>(point);
+  }
+
+  std::int64_t
+  needInteger(std::string_view word, std::string_view part) const
+  {
+    std::int64_t value = 0;
+    if (!parseInteger(part, value))
+      text_.fail(quoted(word) + " is not a corner of a face");
+    return value;
+  }
+
+  /** \brief A number from 1, or from -1 backwards from the last of the \a count so far, as one from 0. */
+  std::int64_t
+  readIndex(std::string_view word, std::string_view part, std::size_t count) const
+  {
+    const std::int64_t number = needInteger(word, part);
+    const std::int64_t index = number < 0 ? static_cast<std::int64_t>(count) + number : number - 1;
+    if (number == 0 || index < 0 || index >= static_cast<std::int64_t>(most_points))
+      text_.fail(quoted(word) + " refers to nothing: there are " + std::to_string(count) + " so far, numbered from 1");
+    return index;
+  }
+
+  const FileContent& file_;
+  TextScanner text_;
+  Surface surface_;
+  std::vector<Index> corners_;
+  bool normals_match_points_ = true;
+  std::int64_t largest_index_ = -1;
+  std::size_t largest_index_line_ = 0;
+};
+
+} // namespace
+
+Surface
+readObj(const FileContent& file)
+{
+  return ObjReader(file).read();
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,81 @@
+#include "io/read/scalar_type.h"
+
+#include <limits>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** \brief Calls visit with a zero of the C++ type that \a type stands for. */
+template <typename Visitor>
+auto
+visitType(ScalarType type, Visitor visit)
+{
+  switch (type) {
+  case ScalarType::Int8:
+    return visit(std::int8_t{});
+  case ScalarType::UInt8:
+    return visit(std::uint8_t{});
+  case ScalarType::Int16:
+    return visit(std::int16_t{});
+  case ScalarType::UInt16:
+    return visit(std::uint16_t{});
+  case ScalarType::Int32:
+    return visit(std::int32_t{});
+  case ScalarType::UInt32:
+    return visit(std::uint32_t{});
+  case ScalarType::Int64:
+    return visit(std::int64_t{});
+  case ScalarType::UInt64:
+    return visit(std::uint64_t{});
+  case ScalarType::Float32:
+    return visit(float{});
+  default:
+    return visit(double{});
+  }
+}
+
+} // namespace
+
+std::size_t
+sizeOf(ScalarType type)
+{
+  return visitType(type, [](auto zero) { return sizeof(zero); });
+}
+
+float
+loadFloat(const char* bytes, ScalarType type, bool swap_bytes)
+{
+  return visitType(type, [=](auto zero) { return static_cast<float>(loadScalar<decltype(zero)>(bytes, swap_bytes)); });
+}
+
+std::int64_t
+loadInteger(const char* bytes, ScalarType type, bool swap_bytes)
+{
+  return visitType(type, [=](auto zero) {
+    const auto value = loadScalar<decltype(zero)>(bytes, swap_bytes);
+    if constexpr (sizeof(value) == 8 && std::numeric_limits<decltype(zero)>::is_integer &&
+                  !std::numeric_limits<decltype(zero)>::is_signed) {
+      constexpr auto largest = std::numeric_limits<std::int64_t>::max();
+      return value > static_cast<std::uint64_t>(largest) ? largest : static_cast<std::int64_t>(value);
+    }
+    else {
+      return static_cast<std::int64_t>(value);
+    }
+  });
+}
+
+void
+copyColumn(const ScalarColumn& column, std::size_t component, std::vector<Vector3>& vectors)
+{
+  visitType(column.type, [&](auto zero) {
+    const char* bytes = column.first;
+    for (Vector3& vector : vectors) {
+      vector[component] = static_cast<float>(loadScalar<decltype(zero)>(bytes, column.swap_bytes));
+      bytes += column.stride;
+    }
+  });
+}
+
+} // namespace symmetry
+} // namespace pcl

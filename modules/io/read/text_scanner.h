@@ -1,0 +1,144 @@
+/** \file
+ * \brief Strict reading of text, line by line and word by word, without copying.
+ */
+#pragma once
+
+#include "io/read/file_content.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief What a text format makes of special characters. */
+struct TextSyntax {
+  bool hash_comments = false;       ///< `#` hides the rest of the line
+  bool backslash_continues = false; ///< a backslash at the end of a line joins the next one to it
+};
+
+/** \brief Walks through the lines of a text and the words of each line.
+ *
+ * A line ends with LF, CR LF or CR. Lines without a word are passed over. Call nextLine() before the first word.
+ */
+class TextScanner {
+public:
+  /** \param[in] file text; must outlive the scanner
+   * \param[in] syntax special characters of the format
+   * \param[in] begin byte to start at
+   * \param[in] line number of the line that \a begin is on
+   */
+  explicit TextScanner(const FileContent& file, TextSyntax syntax = {}, std::size_t begin = 0, std::size_t line = 1);
+
+  /** \brief Goes to the next line that holds a word, leaving unread what is left of this one; false at the end. */
+  bool
+  nextLine();
+
+  /** \brief Goes to the next line that holds a word.
+   *
+   * \throws pcl::IOException the text ends instead: "`expected` ..."
+   */
+  void
+  needLine(const char* expected);
+
+  /** \brief The next word of the line; empty at its end. */
+  std::string_view
+  word();
+
+  /** \brief What is left of the line, without its end. */
+  std::string_view
+  restOfLine();
+
+  /** \brief True where the line holds no further word. */
+  bool
+  atLineEnd();
+
+  /** \brief The next word of the line as a number; nan and inf in any case are numbers, what is too large for a float
+   * is infinite.
+   *
+   * \throws pcl::IOException there is no further word, or it is no number */
+  float
+  number();
+
+  /** \brief The next word of the line as an integer.
+   *
+   * \throws pcl::IOException there is none, or it is no integer */
+  std::int64_t
+  integer();
+
+  /** \brief
+   *
+   * \throws pcl::IOException the line holds a further word */
+  void
+  needLineEnd();
+
+  /** \brief Goes behind the end of the line.
+   *
+   * \throws pcl::IOException the line holds a further word */
+  void
+  finishLine();
+
+  /** \brief Number of the current line, from 1. */
+  std::size_t
+  line() const
+  {
+    return line_;
+  }
+
+  /** \brief Byte of the next character. */
+  std::size_t
+  position() const
+  {
+    return static_cast<std::size_t>(next_ - file_.data());
+  }
+
+  /** \brief Bytes from here to the end of the file. */
+  std::size_t
+  remaining() const
+  {
+    return static_cast<std::size_t>(end_ - next_);
+  }
+
+  /** \brief
+   *
+   * \throws pcl::IOException naming file and current line, always */
+  [[noreturn]] void
+  fail(const std::string& reason) const
+  {
+    file_.failAtLine(line_, reason);
+  }
+
+private:
+  void
+  skipBlanks();
+
+  void
+  passLineEnd();
+
+  bool
+  endsWord(const char* character) const;
+
+  const FileContent& file_;
+  TextSyntax syntax_;
+  const char* next_;
+  const char* end_;
+  std::size_t line_;
+  bool in_line_ = false;
+};
+
+/** \brief A word as an integer.
+ *
+ * \return false where it is none, or has anything behind it, or does not fit */
+bool
+parseInteger(std::string_view word, std::int64_t& value);
+
+/** \brief Letters A-Z of \a word made small. */
+std::string
+toLower(std::string_view word);
+
+/** \brief A word for an error message: quoted, and cut where it is long or not printable. */
+std::string
+quoted(std::string_view word);
+
+} // namespace symmetry
+} // namespace pcl

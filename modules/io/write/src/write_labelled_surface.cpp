@@ -1,0 +1,107 @@
+#include "io/write/output_file.h"
+#include "io/write/record_writer.h"
+#include "io/write/result_check.h"
+#include "picture/palette.h"
+
+#include <pcl/symmetry/surface_io.h>
+
+#include <pcl/exceptions.h>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** \brief Label, partner, confidence and region of a point, as both formats have them. */
+void
+appendLabels(std::string& bytes, const SymmetryResult& result, std::size_t point)
+{
+  appendBytes(bytes, static_cast<std::uint32_t>(result.sides[point]));
+  appendBytes(bytes, result.partners[point]);
+  appendBytes(bytes, result.confidences[point]);
+  appendBytes(bytes, static_cast<std::uint8_t>(result.regions[point]));
+}
+
+std::string
+plyHeader(const Surface& surface)
+{
+  std::string header = "ply\nformat binary_little_endian 1.0\n"
+                       "comment label: 0 none, 1 source side, 2 target side, 3 axis\n"
+                       "comment partner: number of the symmetric vertex, -1 none\n"
+                       "comment region: 0 none, 1 to 4 the limbs source1 target1 source2 target2, 5 centre\n";
+  header += "element vertex " + std::to_string(surface.size()) + "\n";
+  header += "property float x\nproperty float y\nproperty float z\n";
+  if (!surface.normals.empty())
+    header += "property float nx\nproperty float ny\nproperty float nz\n";
+  header += "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+            "property uint label\nproperty int partner\nproperty float confidence\nproperty uchar region\n";
+  if (surface.hasFaces())
+    header += "element face " + std::to_string(surface.triangles.size()) + "\nproperty list uchar int vertex_indices\n";
+  return header + "end_header\n";
+}
+
+std::string
+toPly(const Surface& surface, const SymmetryResult& result)
+{
+  std::string bytes = plyHeader(surface);
+  bytes.reserve(bytes.size() + 40 * surface.size() + 13 * surface.triangles.size());
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    appendBytes(bytes, surface.points[i]);
+    if (!surface.normals.empty())
+      appendBytes(bytes, surface.normals[i]);
+    appendBytes(bytes, colorOf(result.sides[i]));
+    appendLabels(bytes, result, i);
+  }
+  for (const Triangle& triangle : surface.triangles) {
+    appendBytes(bytes, std::uint8_t{3});
+    appendBytes(bytes, triangle);
+  }
+  return bytes;
+}
+
+/** \brief A colour as PCL keeps it in the field rgb: the bytes of a float. */
+std::uint32_t
+packColor(const Color& color)
+{
+  return 0xFF000000U | std::uint32_t{color[0]} << 16 | std::uint32_t{color[1]} << 8 | std::uint32_t{color[2]};
+}
+
+std::string
+toPcd(const Surface& surface, const SymmetryResult& result)
+{
+  const bool has_normals = !surface.normals.empty();
+  const std::string points = std::to_string(surface.size());
+  std::string bytes = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n";
+  bytes += std::string("FIELDS x y z") + (has_normals ? " normal_x normal_y normal_z" : "") +
+           " rgb label partner confidence region\n";
+  bytes += std::string("SIZE 4 4 4") + (has_normals ? " 4 4 4" : "") + " 4 4 4 4 1\n";
+  bytes += std::string("TYPE F F F") + (has_normals ? " F F F" : "") + " F U I F U\n";
+  bytes += std::string("COUNT 1 1 1") + (has_normals ? " 1 1 1" : "") + " 1 1 1 1 1\n";
+  bytes += "WIDTH " + points + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + points + "\nDATA binary\n";
+  bytes.reserve(bytes.size() + 41 * surface.size());
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    appendBytes(bytes, surface.points[i]);
+    if (has_normals)
+      appendBytes(bytes, surface.normals[i]);
+    appendBytes(bytes, packColor(colorOf(result.sides[i])));
+    appendLabels(bytes, result, i);
+  }
+  return bytes;
+}
+
+} // namespace
+
+void
+writeLabelledSurface(const std::string& path, const Surface& surface, const SymmetryResult& result)
+{
+  checkResult(result, surface.size());
+  const std::string ending = fileEnding(path);
+  if (ending == ".ply")
+    writeWholeFile(path, toPly(surface, result));
+  else if (ending == ".pcd")
+    writeWholeFile(path, toPcd(surface, result));
+  else
+    throw IOException(path + ": unknown ending '" + ending + "': a labelled surface is written as .ply or .pcd");
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,168 @@
+#include "io/write/output_file.h"
+#include "io/write/record_writer.h"
+
+#include <pcl/symmetry/surface_io.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char*
+nameOf(Method method)
+{
+  return method == Method::Staged ? "staged" : "robust";
+}
+
+const char*
+nameOf(Metric metric)
+{
+  return metric == Metric::Euclidean ? "euclidean" : "geodesic";
+}
+
+const char*
+nameOf(NormalSource source)
+{
+  return source == NormalSource::Given ? "given" : "estimate";
+}
+
+const char*
+nameOf(PairingFeature feature)
+{
+  switch (feature) {
+  case PairingFeature::MinimalGeodesicDistance:
+    return "mgd";
+  case PairingFeature::BySurfaceSize:
+    return "size";
+  default:
+    return "agd";
+  }
+}
+
+/** \brief A float as 0.1, not as the 0.10000000149011612 that it is as a double; null where it is not finite, which
+ * JSON has no number for. */
+Json
+toJson(float value)
+{
+  if (!std::isfinite(value))
+    return nullptr;
+  std::string digits;
+  appendNumber(digits, value);
+  double shortest = 0.0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), shortest);
+  return shortest;
+}
+
+Json
+describeInput(const std::string& file, const InputSummary& input)
+{
+  return {{"file", file},
+          {"points", input.points},
+          {"faces", input.faces},
+          {"used", input.used},
+          {"working_points", input.working_points},
+          {"dropped", input.points - std::min(input.used, input.points)},
+          {"non_finite", input.non_finite},
+          {"outside_indices", input.outside_indices},
+          {"outliers", input.outliers},
+          {"other_components", input.other_components},
+          {"components", input.components},
+          {"bridges", input.bridges},
+          {"distrusted_edges", input.distrusted_edges},
+          {"read_as_cloud", input.read_as_cloud},
+          {"smoothing_radius", toJson(input.smoothing_radius)}};
+}
+
+Json
+describeMap(const SymmetryResult& result)
+{
+  return {{"matched", result.map.matched},
+          {"axis", result.map.axis},
+          {"axis_curves", result.axis.size()},
+          {"involution", toJson(result.map.involution)},
+          {"inverted_faces", toJson(result.map.inverted_faces)},
+          {"torn_faces", toJson(result.map.torn_faces)},
+          {"isometry_error", toJson(result.map.isometry_error)}};
+}
+
+Json
+describeAlternatives(const std::vector<AlternativeMap>& alternatives)
+{
+  Json list = Json::array();
+  for (const AlternativeMap& alternative : alternatives)
+    list.push_back({{"score", toJson(alternative.score)},
+                    {"confidence", toJson(alternative.confidence)},
+                    {"reverses_orientation", alternative.reverses_orientation}});
+  return list;
+}
+
+Json
+describeParameters(const SymmetryParameters& parameters)
+{
+  return {{"method", nameOf(parameters.method)},
+          {"metric", nameOf(parameters.metric)},
+          {"k_search", parameters.k_search},
+          {"radius", toJson(parameters.radius)},
+          {"normals", nameOf(parameters.normals)},
+          {"outlier_deviations", toJson(parameters.outlier_deviations)},
+          {"landmarks", parameters.landmarks},
+          {"samples", parameters.samples},
+          {"embedding_dimensions", parameters.embedding_dimensions},
+          {"pairing", nameOf(parameters.pairing)},
+          {"sparse_only", parameters.sparse_only},
+          {"alternatives", parameters.alternatives},
+          {"threads", parameters.threads}};
+}
+
+Json
+describeSeconds(const std::vector<std::pair<std::string, double>>& steps)
+{
+  // Whole microseconds: the total is the sum of the numbers that a reader sees.
+  const auto round = [](double seconds) {
+    return std::round(seconds * 1e6) / 1e6;
+  };
+  Json seconds = Json::object();
+  double total = 0.0;
+  for (const auto& [step, duration] : steps) {
+    seconds[step] = seconds.value(step, 0.0) + round(duration);
+    total += round(duration);
+  }
+  seconds["total"] = round(total);
+  return seconds;
+}
+
+} // namespace
+
+void
+writeReport(const std::string& path,
+            const std::string& input_file,
+            const SymmetryParameters& parameters,
+            const SymmetryResult& result)
+{
+  Json report = {{"status", toString(result.status)},
+                 {"message", result.message},
+                 {"confidence", toJson(result.confidence)},
+                 {"diameter", toJson(result.diameter)},
+                 {"input", describeInput(input_file, result.input)},
+                 {"map", describeMap(result)},
+                 {"matches", result.matches.size()}};
+  if (result.alternatives.size() > 1) {
+    report["alternatives"] = describeAlternatives(result.alternatives);
+    report["rotations"] = describeAlternatives(result.rotations);
+  }
+  report["parameters"] = describeParameters(parameters);
+  report["seconds"] = describeSeconds(result.seconds);
+  report["version"] = PCL_SYMMETRY_VERSION;
+  // A file name need not be UTF-8, but JSON must be.
+  writeWholeFile(path, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+} // namespace symmetry
+} // namespace pcl

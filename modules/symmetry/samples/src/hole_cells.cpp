@@ -1,0 +1,132 @@
+#include "symmetry/samples/hole_cells.h"
+
+#include "base/vector_math.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** How a point lies: in the surface, perhaps on a rim, or surely. */
+enum class Place : char { Inside, PerhapsOnRim, OnRim };
+
+/** Where triangles close around a point, each of its neighbours is in two of them: their numbers cancel out. */
+std::vector<Place>
+placesOnMesh(const PreparedSurface& surface)
+{
+  std::vector<Index> unpaired(surface.size(), 0);
+  for (const Triangle& t : surface.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      unpaired[t[k]] ^= t[(k + 1) % 3] ^ t[(k + 2) % 3];
+    }
+  }
+  std::vector<Place> places(surface.size());
+  std::transform(unpaired.begin(), unpaired.end(), places.begin(),
+                 [](Index rest) { return rest != 0 ? Place::OnRim : Place::Inside; });
+  return places;
+}
+
+/** Widest angle between the directions of neighbours that follow each other around a point, in its tangent plane. */
+float
+widestGap(const PreparedSurface& surface, std::size_t v, std::vector<float>& angles)
+{
+  constexpr float full_turn = 6.2831853F;
+  const Vector3& n = surface.normals[v];
+  const Vector3 axis_x = normalized(cross(n, std::abs(n[0]) < 0.9F ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
+  const Vector3 axis_y = cross(n, axis_x);
+  angles.clear();
+  for (std::uint32_t e = surface.graph.offsets[v]; e < surface.graph.offsets[v + 1]; ++e) {
+    const Vector3 offset = surface.points[surface.graph.neighbours[e]] - surface.points[v];
+    angles.push_back(std::atan2(dot(offset, axis_y), dot(offset, axis_x)));
+  }
+  if (angles.empty()) {
+    return full_turn;
+  }
+  std::sort(angles.begin(), angles.end());
+  float widest = angles.front() + full_turn - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    widest = std::max(widest, angles[i] - angles[i - 1]);
+  }
+  return widest;
+}
+
+std::vector<Place>
+placesInCloud(const PreparedSurface& surface)
+{
+  constexpr float almost_half_a_turn = 2.6F;
+  constexpr float a_third = 2.0F; // of a turn: so where the rim bends inwards, but also between random points
+  std::vector<Place> places(surface.size());
+  std::vector<float> angles;
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    const float gap = widestGap(surface, v, angles);
+    places[v] = gap > almost_half_a_turn ? Place::OnRim : gap > a_third ? Place::PerhapsOnRim : Place::Inside;
+  }
+  return places;
+}
+
+/** What hangs together with a point on a rim and perhaps is on it, too; moved inside, so that it is taken once. */
+std::vector<Index>
+takeRim(const SurfaceGraph& graph, Index start, std::vector<Place>& places)
+{
+  std::vector<Index> rim{start};
+  places[start] = Place::Inside;
+  for (std::size_t i = 0; i < rim.size(); ++i) { // grows while it is worked off
+    for (std::uint32_t e = graph.offsets[rim[i]]; e < graph.offsets[rim[i] + 1]; ++e) {
+      const Index neighbour = graph.neighbours[e];
+      if (places[neighbour] != Place::Inside) {
+        places[neighbour] = Place::Inside;
+        rim.push_back(neighbour);
+      }
+    }
+  }
+  return rim;
+}
+
+/** Diagonal of the bounding box. */
+float
+extentOf(const std::vector<Vector3>& points, const std::vector<Index>& members)
+{
+  Vector3 low = points[members.front()];
+  Vector3 high = low;
+  for (const Index v : members) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], points[v][k]);
+      high[k] = std::max(high[k], points[v][k]);
+    }
+  }
+  return distance(low, high);
+}
+
+} // namespace
+
+std::vector<char>
+cellsAtHoles(const PreparedSurface& surface, const FarthestPointSamples& cells, float spacing)
+{
+  constexpr float mesh_crack = 2.0F;  // cells
+  constexpr float cloud_crack = 5.0F; // where parts touch, edges are left out, and rims appear
+  constexpr float whole_side = 0.3F;  // of the longest side of the surface
+  std::vector<char> at_hole(cells.vertices.size(), 0);
+  if (surface.summary.smoothing_radius > 0.0F) {
+    return at_hole; // what smoothing leaves of noise has rims all over
+  }
+  std::vector<Place> places = surface.is_cloud ? placesInCloud(surface) : placesOnMesh(surface);
+  const float least = (surface.is_cloud ? cloud_crack : mesh_crack) * spacing;
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    if (places[v] != Place::OnRim) {
+      continue;
+    }
+    const std::vector<Index> rim = takeRim(surface.graph, static_cast<Index>(v), places);
+    const float extent = extentOf(surface.points, rim);
+    if (extent >= least && extent <= whole_side) {
+      for (const Index w : rim) {
+        at_hole[cells.owner[w]] = 1;
+      }
+    }
+  }
+  return at_hole;
+}
+
+} // namespace symmetry
+} // namespace pcl

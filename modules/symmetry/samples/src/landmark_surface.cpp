@@ -1,0 +1,105 @@
+#include "symmetry/samples/landmark_surface.h"
+
+#include "base/vector_math.h"
+#include "geodesic/shortest_paths.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Nearest landmark of every sample; ties go to the lower landmark. */
+std::vector<Index>
+nearestLandmarks(const DistanceFields& fields)
+{
+  std::vector<Index> nearest(fields.columns, 0);
+  for (std::size_t i = 1; i < fields.rows(); ++i) {
+    for (std::size_t v = 0; v < fields.columns; ++v) {
+      if (fields.row(i)[v] < fields.row(static_cast<std::size_t>(nearest[v]))[v]) {
+        nearest[v] = static_cast<Index>(i);
+      }
+    }
+  }
+  return nearest;
+}
+
+} // namespace
+
+std::vector<Index>
+extremitiesOf(const LandmarkSurface& landmarks, float separation, std::size_t most)
+{
+  std::vector<Index> order(landmarks.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return landmarks.average_distance[a] > landmarks.average_distance[b]; });
+  std::vector<Index> extremities;
+  for (const Index candidate : order) {
+    bool is_maximum = true;
+    for (std::size_t other = 0; is_maximum && other < landmarks.size(); ++other) {
+      is_maximum =
+          landmarks.distances(candidate, static_cast<Eigen::Index>(other)) >= separation * landmarks.diameter ||
+          landmarks.average_distance[other] <= landmarks.average_distance[candidate];
+    }
+    if (is_maximum && extremities.size() < most) {
+      extremities.push_back(candidate);
+    }
+  }
+  return extremities;
+}
+
+std::vector<char>
+comparableLandmarks(const LandmarkSurface& landmarks, const std::vector<Index>& map)
+{
+  constexpr std::size_t fewest = 5; // a fifth
+  std::vector<char> comparable(map.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    comparable[i] = landmarks.at_hole[i] == 0 && landmarks.at_hole[map[i]] == 0 ? 1 : 0;
+    count += static_cast<std::size_t>(comparable[i]);
+  }
+  if (fewest * count < map.size()) {
+    std::fill(comparable.begin(), comparable.end(), 1);
+  }
+  return comparable;
+}
+
+LandmarkSurface
+makeLandmarkSurface(const CoarseSurface& surface, std::size_t landmarks, Metric metric, unsigned threads)
+{
+  LandmarkSurface result;
+  const std::size_t count = std::min(landmarks, surface.size());
+  std::vector<Index> sources(count);
+  std::iota(sources.begin(), sources.end(), 0);
+  const DistanceFields fields = distanceFields(surface.graph, sources, threads);
+
+  const auto n = static_cast<Eigen::Index>(count);
+  result.distances.resize(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (metric == Metric::Euclidean) {
+      for (Eigen::Index j = 0; j < n; ++j) {
+        result.distances(j, i) =
+            distance(surface.points[static_cast<std::size_t>(i)], surface.points[static_cast<std::size_t>(j)]);
+      }
+      continue;
+    }
+    result.distances.col(i) = Eigen::Map<const Eigen::VectorXf>(fields.row(static_cast<std::size_t>(i)), n);
+  }
+  result.distances = (0.5F * (result.distances + result.distances.transpose())).eval();
+  result.diameter = result.distances.maxCoeff();
+  result.points.assign(surface.points.begin(), surface.points.begin() + n);
+  result.normals.assign(surface.normals.begin(), surface.normals.begin() + n);
+  result.at_hole.assign(surface.at_hole.begin(), surface.at_hole.begin() + n);
+  result.nearest_landmark = nearestLandmarks(fields);
+  result.triangles = dualTriangles(surface.triangles, result.nearest_landmark);
+  const Eigen::VectorXf mean = result.distances.rowwise().mean();
+  result.average_distance.assign(mean.data(), mean.data() + n);
+  constexpr float separation = 1.0F / 15.0F;
+  constexpr std::size_t most = 10;
+  result.extremities = extremitiesOf(result, separation, most);
+  return result;
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,103 @@
+#include "symmetry/sides/map_quality.h"
+
+#include "base/vector_math.h"
+#include "geodesic/farthest_point_sampling.h"
+#include "geodesic/shortest_paths.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Share of the matched points v with |v - m (m (v))| below 2 % of the diameter. */
+float
+involutionShare(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter, std::size_t matched)
+{
+  std::size_t close = 0;
+  for (std::size_t v = 0; v < partners.size(); ++v) {
+    const Index back = partners[v] == no_index ? no_index : partners[partners[v]];
+    if (back != no_index && distance(surface.points[v], surface.points[back]) < 0.02F * diameter) {
+      ++close;
+    }
+  }
+  return matched == 0 ? 0.0F : static_cast<float>(close) / static_cast<float>(matched);
+}
+
+/** Shares of the faces that are torn apart, and of those not torn that keep facing the way a rotation would make them.
+ */
+void
+measureFaces(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter, MapSummary& summary)
+{
+  std::size_t torn = 0;
+  std::size_t inverted = 0;
+  std::size_t mapped = 0;
+  for (const Triangle& t : surface.triangles) {
+    const Triangle image{partners[t[0]], partners[t[1]], partners[t[2]]};
+    if (image[0] == no_index || image[1] == no_index || image[2] == no_index) {
+      continue;
+    }
+    ++mapped;
+    const Vector3& a = surface.points[image[0]];
+    const Vector3& b = surface.points[image[1]];
+    const Vector3& c = surface.points[image[2]];
+    const float longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    if (longest > 0.05F * diameter) {
+      ++torn;
+    }
+    else if (dot(cross(b - a, c - a), surface.normals[image[0]]) > 0.0F) {
+      ++inverted; // a reflection turns every face over
+    }
+  }
+  if (mapped > 0) {
+    summary.torn_faces = static_cast<float>(torn) / static_cast<float>(mapped);
+    summary.inverted_faces = static_cast<float>(inverted) / static_cast<float>(mapped);
+  }
+}
+
+/** Mean |d (p, q) - d (m (p), m (q))| over pairs of a few landmarks, share of the diameter. */
+float
+isometryError(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter, unsigned threads)
+{
+  constexpr std::size_t landmarks = 16;
+  std::vector<Index> sources;
+  std::vector<Index> images;
+  for (const Index landmark : farthestPointSampling(surface.graph, 0, landmarks).vertices) {
+    if (partners[landmark] != no_index) {
+      sources.push_back(landmark);
+      images.push_back(partners[landmark]);
+    }
+  }
+  const DistanceFields from = distanceFields(surface.graph, sources, threads);
+  const DistanceFields to = distanceFields(surface.graph, images, threads);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    for (std::size_t j = 0; j < sources.size(); ++j) {
+      sum += std::abs(from.row(i)[sources[j]] - to.row(i)[images[j]]);
+    }
+  }
+  return sources.empty() ? 0.0F
+                         : static_cast<float>(sum / static_cast<double>(sources.size() * sources.size()) / diameter);
+}
+
+} // namespace
+
+MapSummary
+measureMap(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter, unsigned threads)
+{
+  MapSummary summary;
+  for (const Index partner : partners) {
+    summary.matched += partner == no_index ? 0U : 1U;
+  }
+  if (summary.matched == 0) {
+    return summary;
+  }
+  summary.involution = involutionShare(surface, partners, diameter, summary.matched);
+  measureFaces(surface, partners, diameter, summary);
+  summary.isometry_error = isometryError(surface, partners, diameter, threads);
+  return summary;
+}
+
+} // namespace symmetry
+} // namespace pcl

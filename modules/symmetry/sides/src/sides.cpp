@@ -1,0 +1,169 @@
+#include "symmetry/sides/sides.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+constexpr double smallest_patch_share = 0.02;
+
+/** A value without a side (zero) takes the sign of most of its neighbours; the source side where they are as many. */
+std::vector<float>
+withoutZeros(const SurfaceGraph& graph, std::vector<float> values)
+{
+  constexpr float tiny = 1e-6F;
+  const std::vector<float> given = values;
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    if (given[v] != 0.0F) {
+      continue;
+    }
+    int balance = 0;
+    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
+      const float neighbour = given[graph.neighbours[e]];
+      balance += neighbour > 0.0F ? 1 : neighbour < 0.0F ? -1 : 0;
+    }
+    values[v] = balance < 0 ? -tiny : tiny;
+  }
+  return values;
+}
+
+/** Connected vertices of one sign. */
+struct Patches {
+  std::vector<Index> patch_of;
+  std::vector<std::size_t> sizes;
+  std::vector<bool> positive;
+};
+
+Patches
+findPatches(const SurfaceGraph& graph, const std::vector<float>& values)
+{
+  Patches patches;
+  patches.patch_of.assign(graph.size(), no_index);
+  std::vector<Index> stack;
+  for (std::size_t seed = 0; seed < graph.size(); ++seed) {
+    if (patches.patch_of[seed] != no_index) {
+      continue;
+    }
+    const auto number = static_cast<Index>(patches.sizes.size());
+    const bool positive = values[seed] > 0.0F;
+    patches.patch_of[seed] = number;
+    patches.sizes.push_back(0);
+    patches.positive.push_back(positive);
+    stack.assign(1, static_cast<Index>(seed));
+    while (!stack.empty()) {
+      const Index v = stack.back();
+      stack.pop_back();
+      ++patches.sizes[number];
+      for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
+        const Index w = graph.neighbours[e];
+        if (patches.patch_of[w] == no_index && (values[w] > 0.0F) == positive) {
+          patches.patch_of[w] = number;
+          stack.push_back(w);
+        }
+      }
+    }
+  }
+  return patches;
+}
+
+/** The patches that are specks and of the sign of the smallest speck: were both signs turned at once, a speck within a
+ * speck would turn with it. */
+std::vector<bool>
+specksOfOneSign(const Patches& patches, std::size_t vertices)
+{
+  std::size_t largest[2] = {0, 0};
+  for (std::size_t i = 0; i < patches.sizes.size(); ++i) {
+    std::size_t& largest_of_sign = largest[patches.positive[i] ? 1 : 0];
+    largest_of_sign = std::max(largest_of_sign, patches.sizes[i]);
+  }
+  const auto is_speck = [&](std::size_t i) {
+    return patches.sizes[i] < largest[patches.positive[i] ? 1 : 0] &&
+           static_cast<double>(patches.sizes[i]) < smallest_patch_share * static_cast<double>(vertices);
+  };
+  // One sign at a time, that of the smallest speck first: a speck within a speck must not turn together with it.
+  std::size_t smallest = vertices;
+  bool sign = true;
+  for (std::size_t i = 0; i < patches.sizes.size(); ++i) {
+    if (is_speck(i) && patches.sizes[i] < smallest) {
+      smallest = patches.sizes[i];
+      sign = patches.positive[i];
+    }
+  }
+  std::vector<bool> specks(patches.sizes.size(), false);
+  for (std::size_t i = 0; i < patches.sizes.size(); ++i) {
+    specks[i] = is_speck(i) && patches.positive[i] == sign;
+  }
+  return specks;
+}
+
+} // namespace
+
+std::vector<float>
+sideFunction(const DistanceFields& source_fields, const DistanceFields& target_fields)
+{
+  constexpr float weight_of_difference = 0.49F;
+  const std::size_t n = source_fields.columns;
+  std::vector<float> votes(n, 0.0F);
+  std::vector<float> differences(n, 0.0F);
+  std::vector<float> pairs(n, 0.0F);
+  for (std::size_t i = 0; i < source_fields.rows(); ++i) {
+    const float* to_source = source_fields.row(i);
+    const float* to_target = target_fields.row(i);
+    for (std::size_t v = 0; v < n; ++v) {
+      const float sum = to_source[v] + to_target[v];
+      if (sum > 0.0F && sum < unreachable) {
+        const float difference = to_target[v] - to_source[v];
+        votes[v] += static_cast<float>((difference > 0.0F) - (difference < 0.0F));
+        differences[v] += difference / sum;
+        pairs[v] += 1.0F;
+      }
+    }
+  }
+  for (std::size_t v = 0; v < n; ++v) {
+    if (pairs[v] > 0.0F) {
+      votes[v] = (votes[v] + weight_of_difference * differences[v] / pairs[v]) / (pairs[v] + weight_of_difference);
+    }
+  }
+  return votes;
+}
+
+std::vector<float>
+absorbSpecks(const SurfaceGraph& graph, const std::vector<float>& side_function)
+{
+  constexpr int most_rounds = 16; // specks within specks are rarely nested deeper than twice
+  std::vector<float> values = withoutZeros(graph, side_function);
+  for (int round = 0; round < most_rounds; ++round) {
+    const Patches patches = findPatches(graph, values);
+    const std::vector<bool> specks = specksOfOneSign(patches, graph.size());
+    if (std::find(specks.begin(), specks.end(), true) == specks.end()) {
+      break;
+    }
+    for (std::size_t v = 0; v < graph.size(); ++v) {
+      if (specks[patches.patch_of[v]]) {
+        values[v] = -values[v];
+      }
+    }
+  }
+  return values;
+}
+
+std::vector<Side>
+labelSides(const SurfaceGraph& graph, const std::vector<float>& side_function)
+{
+  std::vector<Side> sides(graph.size(), Side::None);
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    bool source = side_function[v] >= 0.0F;
+    bool target = side_function[v] <= 0.0F;
+    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
+      source = source || side_function[graph.neighbours[e]] >= 0.0F;
+      target = target || side_function[graph.neighbours[e]] <= 0.0F;
+    }
+    sides[v] = source && target ? Side::Axis : source ? Side::Source : Side::Target;
+  }
+  return sides;
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,92 @@
+/** \file
+ * \brief Extreme points of a surface, and the functions whose maxima they and other tips are (paper, section 3.1).
+ */
+#pragma once
+
+#include "geodesic/surface_graph.h"
+#include "geodesic/surface_metric.h"
+#include "symmetry/staged/spectral_embedding.h"
+
+#include <pcl/symmetry/symmetry_parameters.h>
+
+#include <array>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief The surface's graph with its edges as long as they are in the embedding: what bending has done to the surface
+ * is smoothed away in it. */
+SurfaceGraph
+embeddedGraph(const SurfaceGraph& graph, const SpectralEmbedding& embedding);
+
+/** \brief Vertices geodesically farthest from each other: farthest-point sampling, then each in turn moved to where the
+ * others are farthest until none moves.
+ *
+ * \param[in] start any vertex; the first sample is the one farthest from it
+ * \return fewer than \a count where the surface has no more distinct ones
+ */
+std::vector<Index>
+mutuallyFarthestVertices(const SurfaceGraph& graph, Index start, std::size_t count);
+
+/** \brief Average and minimal geodesic distances on the embedded surface and their local maxima. */
+struct TipFunctions {
+  std::vector<float> average;        ///< AGD: mean distance to evenly spaced samples, smoothed over 1-rings
+  std::vector<Index> average_maxima; ///< S1: tips of whatever sticks out
+  std::vector<float> minimal;        ///< MGD: distance to the nearest vertex of S1
+  std::vector<Index> minimal_maxima; ///< S2: what lies between the tips
+};
+
+/** \brief AGD, S1, MGD and S2 (the paper's names).
+ *
+ * A fine mesh has dozens of maxima on one fingertip; of those closer together than \a separation only the largest
+ * counts, so that the few matches that are kept later are not all at one place.
+ *
+ * \param[in] embedded see embeddedGraph
+ * ()
+ *
+ * \param[in] start first of the samples
+ *
+ * \param[in] samples how many; the paper: 100
+ *
+ * \param[in] separation least
+ * distance of two maxima
+ */
+TipFunctions
+tipFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, float separation, unsigned threads);
+
+/** \brief Two pairs of partners: h1 and f1 on the source side, h2 and f2 on the target side (the paper's E). */
+struct ExtremePairs {
+  Index h1 = no_index;
+  Index h2 = no_index;
+  Index f1 = no_index;
+  Index f2 = no_index;
+};
+
+/** \brief Pairs four extreme points.
+ *
+ * As published, the two smallest in the feature are partners and so are the two largest. Where that is not clear (the
+ * step between the pairs is smaller than one within a pair or than 5 % of the feature) those are partners whose
+ * distances to the landmarks are distributed alike: AGD is the mean of this distribution, and different ones may have
+ * the same mean.
+ *
+ * Which of the second pair lies on the side of h1 is decided by the distances on the surface: the paper compares
+ * d(h1, f1) with d(h1, f2); here the sums over both sides are compared, which differ by more when one limb is bent.
+ * \param[in] points four distinct vertices
+ * \param[in] feature per vertex: AGD or MGD
+ * \param[in] metric of the surface itself
+ * \param[in] landmarks evenly spaced vertices
+ */
+ExtremePairs
+pairExtremePoints(const std::array<Index, 4>& points,
+                  const std::vector<float>& feature,
+                  const SurfaceMetric& metric,
+                  const std::vector<Index>& landmarks,
+                  unsigned threads);
+
+/** \brief The function that the parameters choose for pairing. */
+const std::vector<float>&
+pairingFeature(const TipFunctions& functions, PairingFeature feature);
+
+} // namespace symmetry
+} // namespace pcl

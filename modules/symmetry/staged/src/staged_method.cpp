@@ -1,0 +1,232 @@
+#include "symmetry/staged/staged_method.h"
+
+#include "base/vector_math.h"
+#include "geodesic/surface_metric.h"
+#include "symmetry/sides/sides.h"
+#include "symmetry/staged/base_vertices.h"
+#include "symmetry/staged/dense_map.h"
+#include "symmetry/staged/extremities.h"
+#include "symmetry/staged/regions.h"
+#include "symmetry/staged/spectral_embedding.h"
+#include "symmetry/staged/stage_matching.h"
+#include "symmetry/staged/staged_confidence.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+// The paper's numbers.
+constexpr std::size_t average_samples = 100; // for AGD
+constexpr std::size_t default_samples = 100; // for stages 3 and 4
+constexpr std::size_t kept_tips = 5;         // stages 1 and 2, per pair of limbs
+constexpr std::size_t kept_in_stage_3 = 20;  // per mapping of regions
+constexpr std::size_t kept_in_stage_4 = 30;
+
+constexpr std::size_t fewest_points = 20;
+constexpr float tip_separation = 0.03F; // share of the diameter; about the width of two fingers
+
+std::unique_ptr<SurfaceMetric>
+makeMetric(const PreparedSurface& surface, Metric metric)
+{
+  if (metric == Metric::Euclidean) {
+    return std::make_unique<EuclideanMetric>(surface.points);
+  }
+  return std::make_unique<GeodesicMetric>(surface.graph);
+}
+
+/** The vertex farthest from the centre of gravity: a start that does not depend on the order of the vertices. */
+Index
+farthestFromCentre(const std::vector<Vector3>& points)
+{
+  double sum[3] = {0.0, 0.0, 0.0};
+  for (const Vector3& p : points) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[k] += p[k];
+    }
+  }
+  Vector3 centre;
+  for (std::size_t k = 0; k < 3; ++k) {
+    centre[k] = static_cast<float>(sum[k] / static_cast<double>(points.size()));
+  }
+  const auto nearer = [&centre](const Vector3& a, const Vector3& b) {
+    return distance(a, centre) < distance(b, centre);
+  };
+  return static_cast<Index>(std::max_element(points.begin(), points.end(), nearer) - points.begin());
+}
+
+float
+largestDistance(const DistanceFields& fields, const std::vector<Index>& landmarks)
+{
+  float largest = 0.0F;
+  for (std::size_t i = 0; i < fields.rows(); ++i) {
+    for (const Index landmark : landmarks) {
+      largest = std::max(largest, fields.row(i)[landmark]);
+    }
+  }
+  return largest;
+}
+
+/** m_hf: the midpoint of the path between the midpoints of h1-f1 and h2-f2. */
+Index
+middleOfSides(const ExtremePairs& pairs, const SurfaceMetric& metric, unsigned threads)
+{
+  const std::vector<Index> h = {pairs.h1, pairs.h2};
+  const std::vector<Index> of_side = metric.midpoints(h, metric.fields(h, threads), {pairs.f1, pairs.f2}, threads);
+  return metric.midpoints({of_side[0]}, metric.fields({of_side[0]}, threads), {of_side[1]}, threads).front();
+}
+
+/** Evenly spaced samples of the source limbs and the centre. */
+std::vector<Index>
+sampleSourceAndCentre(const SurfaceMetric& metric, Index start, std::size_t count, const std::vector<Region>& regions)
+{
+  // The target limbs take at most about as many samples as the source limbs do: thrice the number is plenty.
+  std::vector<Index> samples = metric.farthestPoints(start, 3 * count);
+  const auto on_target = [&regions](Index v) {
+    return regions[v] == Region::Target1 || regions[v] == Region::Target2;
+  };
+  samples.erase(std::remove_if(samples.begin(), samples.end(), on_target), samples.end());
+  samples.resize(std::min(samples.size(), count));
+  return samples;
+}
+
+std::vector<SymmetricMatch>
+withoutSameSide(std::vector<SymmetricMatch> matches, const std::vector<float>& sides)
+{
+  const auto same_side = [&sides](const SymmetricMatch& match) {
+    return (sides[match.source] > 0.0F) == (sides[match.target] > 0.0F);
+  };
+  matches.erase(std::remove_if(matches.begin(), matches.end(), same_side), matches.end());
+  return matches;
+}
+
+/** Stages 1 to 4 (section 3.3): each matches more vertices than the one before it and adds what it trusts to the base.
+ */
+std::vector<SymmetricMatch>
+matchInStages(BaseVertices& base,
+              const TipFunctions& tips,
+              const std::vector<Region>& regions,
+              const std::vector<Index>& samples,
+              unsigned threads)
+{
+  for (const std::vector<Index>* stage_tips : {&tips.average_maxima, &tips.minimal_maxima}) { // stages 1 and 2
+    std::vector<SymmetricMatch> matches = matchTips(base, regions, *stage_tips, kept_tips, threads);
+    base.addPairs(matches);
+  }
+
+  std::vector<float> sides = sideFunction(base.sourceFields(), base.targetFields());
+  std::vector<SymmetricMatch> third =
+      matchSamples(base, regions, sides, samples, FeatureSet::Midpoints, kept_in_stage_3, threads);
+  base.addPairs(third);
+
+  sides = sideFunction(base.sourceFields(), base.targetFields());
+  return withoutSameSide(
+      matchSamples(base, regions, sides, samples, FeatureSet::OwnEndpointsAndMidpoints, kept_in_stage_4, threads),
+      sides);
+}
+
+MapEstimate
+tooFewPoints(std::size_t points)
+{
+  MapEstimate estimate;
+  estimate.status = SymmetryStatus::TooFewPoints;
+  estimate.message = "the staged method needs " + std::to_string(fewest_points) + " connected points, there are " +
+                     std::to_string(points);
+  return estimate;
+}
+
+/** Dense map: every vertex matched with the base of the last stage. */
+void
+matchEveryVertex(const PreparedSurface& surface, const BaseVertices& base, unsigned threads, MapEstimate& estimate)
+{
+  DenseMap map = denseMap(base, estimate.side_function, threads);
+  estimate.confidence *= involutionShare(surface.points, map.partners, estimate.diameter);
+  estimate.confidences =
+      vertexConfidences(surface.points, map, base.dimensions(), estimate.diameter, estimate.confidence);
+  estimate.partners = std::move(map.partners);
+}
+
+/** Whether the map is a symmetry. */
+void
+judge(MapEstimate& estimate)
+{
+  if (estimate.confidence >= least_trusted_confidence) {
+    estimate.status = SymmetryStatus::Symmetric;
+  }
+  else {
+    estimate.message = "the best map found changes distances too much, or is too far from its own inverse, to be a "
+                       "symmetry: its confidence is " +
+                       std::to_string(estimate.confidence);
+  }
+}
+
+} // namespace
+
+MapEstimate
+estimateStaged(const PreparedSurface& surface, const SymmetryParameters& parameters, StepTimer& timer)
+{
+  if (surface.size() < fewest_points) {
+    return tooFewPoints(surface.size());
+  }
+  const unsigned threads = parameters.threads;
+  const std::unique_ptr<SurfaceMetric> metric = makeMetric(surface, parameters.metric);
+  MapEstimate estimate;
+
+  timer.start("sampling", 0.0);
+  const Index start = farthestFromCentre(surface.points);
+  const std::vector<Index> landmarks = metric->farthestPoints(start, static_cast<std::size_t>(parameters.landmarks));
+
+  timer.start("geodesics", 0.02);
+  DistanceFields fields = metric->fields(landmarks, threads);
+  estimate.diameter = largestDistance(fields, landmarks);
+
+  timer.start("embedding", 0.15); // section 3.1
+  const SpectralEmbedding embedding = embedByLandmarks(fields, landmarks, parameters.embedding_dimensions, threads);
+  fields = {};
+
+  timer.start("hypotheses", 0.2);
+  const SurfaceGraph embedded = embeddedGraph(surface.graph, embedding);
+  const std::vector<Index> tips = mutuallyFarthestVertices(embedded, start, 4);
+  if (tips.size() < 4) {
+    estimate.message = "fewer than four distinct extreme points: the staged method needs two pairs of limbs";
+    return estimate;
+  }
+  const TipFunctions functions =
+      tipFunctions(embedded, start, average_samples, tip_separation * estimate.diameter, threads);
+  const ExtremePairs pairs = pairExtremePoints(
+      {tips[0], tips[1], tips[2], tips[3]}, pairingFeature(functions, parameters.pairing), *metric, landmarks, threads);
+  estimate.extremities = {pairs.h1, pairs.h2, pairs.f1, pairs.f2};
+  std::vector<SymmetricMatch> limbs = {{pairs.h1, pairs.h2, no_index, 0.0F}, {pairs.f1, pairs.f2, no_index, 0.0F}};
+  BaseVertices base(*metric, threads);
+  base.addPairs(limbs);
+  base.addMidpoint(middleOfSides(pairs, *metric, threads));
+  estimate.regions = limbRegions(base.sourceFields(), base.targetFields(), limbs[0].midpoint, limbs[1].midpoint);
+
+  timer.start("matching", 0.35); // section 3.3
+  const std::size_t count = parameters.samples == 0 ? default_samples : static_cast<std::size_t>(parameters.samples);
+  const std::vector<Index> samples = sampleSourceAndCentre(*metric, start, count, estimate.regions);
+  estimate.matches = matchInStages(base, functions, estimate.regions, samples, threads);
+  if (estimate.matches.empty()) {
+    estimate.message = "no vertices of one side could be matched with the other side";
+    return estimate;
+  }
+  BaseVertices last_base(*metric, threads); // the last stage's matches and the extreme points
+  last_base.addPairs(estimate.matches);
+  estimate.confidence = distortionConfidence(isometricDistortion(last_base, estimate.matches, estimate.diameter));
+  last_base.addPairs(limbs);
+  estimate.side_function =
+      absorbSpecks(surface.graph, sideFunction(last_base.sourceFields(), last_base.targetFields()));
+
+  if (!parameters.sparse_only) {
+    timer.start("dense", 0.7);
+    matchEveryVertex(surface, last_base, threads, estimate);
+  }
+  timer.stop();
+  judge(estimate);
+  return estimate;
+}
+
+} // namespace symmetry
+} // namespace pcl

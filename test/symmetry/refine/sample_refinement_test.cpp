@@ -1,0 +1,67 @@
+#include "support/coarse_body.h"
+#include "symmetry/refine/sample_refinement.h"
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+/** A candidate whose matrix is the action of a map of the landmarks on 20 eigenfunctions. */
+SymmetryCandidate
+candidateOf(const CoarseBody& body, const SampleMap& map)
+{
+  const auto landmarks = static_cast<Eigen::Index>(map.size());
+  const Eigen::MatrixXf functions = body.basis.functions.topLeftCorner(landmarks, 20);
+  Eigen::MatrixXf images(landmarks, functions.cols());
+  for (Eigen::Index i = 0; i < landmarks; ++i) {
+    images.row(i) = functions.row(map[static_cast<std::size_t>(i)]);
+  }
+  SymmetryCandidate candidate;
+  candidate.map = map;
+  candidate.matrix =
+      nearestInvolution((functions.transpose() * functions).ldlt().solve(functions.transpose() * images));
+  return candidate;
+}
+
+RefinementSettings
+settingsFor(const CoarseBody& body)
+{
+  RefinementSettings settings;
+  settings.levels = {20, 30, static_cast<int>(body.basis.functions.cols())};
+  settings.patches = {{0.14F, 80}, {0.1F, 160}};
+  return settings;
+}
+
+TEST(SampleRefinement, LeadsFromARoughMapToTheTruePartners)
+{
+  const CoarseBody body = coarseBody(Body::Human, 1.0);
+  const SampleInterpolation interpolation = interpolateFromSamples(body.surface, body.coarse, 1);
+  const CellMembers members = membersOfCells(body.coarse);
+  const RefinementSettings settings = settingsFor(body);
+  const auto refine = [&](const SampleMap& map, unsigned threads) {
+    return SampleRefinement(body.surface, body.coarse, body.basis, body.landmarks, interpolation, members, settings,
+                            threads)
+        .refine(candidateOf(body, map));
+  };
+  const SampleEstimate found = refine(body.trueMap(), 1);
+  ASSERT_EQ(found.partners.size(), body.coarse.size());
+  float error = 0.0F;
+  for (std::size_t i = 0; i < found.partners.size(); ++i) {
+    const Index truth = body.model.partners[body.coarse.cells.vertices[i]];
+    error += distance(body.surface.points[found.partners[i]], body.surface.points[truth]);
+    EXPECT_EQ(found.map[i], body.coarse.cells.owner[found.partners[i]]);
+  }
+  EXPECT_LT(error / static_cast<float>(found.partners.size()), 0.2F * sampleSpacing(body.coarse));
+  EXPECT_EQ(found.partners, refine(body.trueMap(), 4).partners);
+
+  SampleMap nobody_moves(body.landmarks.size());
+  std::iota(nobody_moves.begin(), nobody_moves.end(), 0);
+  EXPECT_LT(found.value, refine(nobody_moves, 1).value);
+}
+
+} // namespace

@@ -1,0 +1,160 @@
+// Landmarks, the order of their pairs, and the regions around their extremities.
+#include "support/coarse_body.h"
+#include "symmetry/sides/limb_regions.h"
+#include "symmetry/sides/side_votes.h"
+
+#include <gtest/gtest.h>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+const CoarseBody&
+human()
+{
+  static const CoarseBody body = coarseBody(Body::Human, 1.0);
+  return body;
+}
+
+/** On which side of the plane x = 0 the sample of a landmark lies in the rest pose: -1, 0 or 1. Models of one body have
+ * the same vertices whatever the pose. */
+int
+trueSide(Index landmark)
+{
+  static const Model at_rest = body(Body::Human, 0.0);
+  const float x = at_rest.surface.points[human().coarse.cells.vertices[landmark]][0];
+  return x > 0.02F ? 1 : x < -0.02F ? -1 : 0;
+}
+
+TEST(LandmarkSurface, DistancesAreSymmetricAndObeyTheTriangleInequality)
+{
+  const Eigen::MatrixXf& d = human().landmarks.distances;
+  ASSERT_EQ(d.rows(), 250);
+  EXPECT_EQ((d - d.transpose()).norm(), 0.0F);
+  EXPECT_EQ(d.diagonal().norm(), 0.0F);
+  EXPECT_EQ(human().landmarks.diameter, d.maxCoeff());
+  for (Eigen::Index i = 0; i < d.rows(); i += 7) {
+    for (Eigen::Index j = 0; j < d.rows(); j += 5) {
+      EXPECT_LE(d(i, j), (d.col(i) + d.col(j)).minCoeff() + 1e-4F);
+    }
+  }
+}
+
+TEST(LandmarkSurface, DistancesAreNearThoseOfTheSurface)
+{
+  const CoarseBody& body = human();
+  double relative = 0.0;
+  std::size_t count = 0;
+  for (Index i = 0; i < 250; i += 25) {
+    const std::vector<float> exact = distanceField(body.surface.graph, body.coarse.cells.vertices[i]);
+    for (Index j = 0; j < 250; ++j) {
+      if (i != j) {
+        relative += body.landmarks.distances(i, j) / exact[body.coarse.cells.vertices[j]] - 1.0;
+        ++count;
+      }
+    }
+  }
+  relative /= static_cast<double>(count);
+  EXPECT_GE(relative, 0.0); // a way through samples is never shorter
+  EXPECT_LE(relative, 0.15);
+}
+
+TEST(LandmarkSurface, EuclideanDistancesAreStraight)
+{
+  const CoarseBody& body = human();
+  const LandmarkSurface straight = makeLandmarkSurface(body.coarse, 100, Metric::Euclidean, 2);
+  for (Index i = 0; i < 100; i += 9) {
+    for (Index j = 0; j < 100; ++j) {
+      EXPECT_FLOAT_EQ(straight.distances(i, j), distance(straight.points[i], straight.points[j]));
+    }
+  }
+}
+
+TEST(LandmarkSurface, ExtremitiesAreFarOutAndComeInPairs)
+{
+  const LandmarkSurface& landmarks = human().landmarks;
+  ASSERT_GE(landmarks.extremities.size(), 4U);
+  ASSERT_LE(landmarks.extremities.size(), 10U);
+  EXPECT_EQ(landmarks.average_distance[landmarks.extremities[0]],
+            *std::max_element(landmarks.average_distance.begin(), landmarks.average_distance.end()));
+  for (std::size_t i = 1; i < landmarks.extremities.size(); ++i) {
+    EXPECT_GE(landmarks.average_distance[landmarks.extremities[i - 1]],
+              landmarks.average_distance[landmarks.extremities[i]]);
+  }
+  // The four farthest out are on hands and feet: the partner of each is near an extremity, too.
+  const SampleMap map = human().trueMap();
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NE(trueSide(landmarks.extremities[i]), 0);
+    const Index partner = map[landmarks.extremities[i]];
+    EXPECT_TRUE(std::any_of(landmarks.extremities.begin(), landmarks.extremities.end(), [&](Index other) {
+      return landmarks.distances(partner, other) < 0.1F * landmarks.diameter;
+    })) << i;
+  }
+}
+
+TEST(PairVotes, SourcesOfTheTrueMapLieOnOneSide)
+{
+  const OrderedPairs pairs = orderPairs(human().landmarks, human().trueMap());
+  ASSERT_GE(pairs.sources.size(), 20U);
+  ASSERT_EQ(pairs.sources.size(), pairs.targets.size());
+  const int side = trueSide(pairs.sources[0]);
+  EXPECT_NE(side, 0);
+  for (std::size_t k = 0; k < pairs.sources.size(); ++k) {
+    EXPECT_EQ(trueSide(pairs.sources[k]), side) << k;
+    EXPECT_EQ(trueSide(pairs.targets[k]), -side) << k;
+  }
+}
+
+TEST(PairVotes, NothingThatMovesNoPairs)
+{
+  SampleMap identity(human().landmarks.size());
+  std::iota(identity.begin(), identity.end(), 0);
+  EXPECT_TRUE(orderPairs(human().landmarks, identity).sources.empty());
+}
+
+TEST(LandmarkRegions, LimbsOfTheTrueMapHoldOppositeSides)
+{
+  const SampleMap map = human().trueMap();
+  const auto limbs = swappedExtremities(human().landmarks, map, orderPairs(human().landmarks, map));
+  ASSERT_EQ(limbs.size(), 2U);
+  EXPECT_EQ(trueSide(limbs[0].first), trueSide(limbs[1].first));
+  EXPECT_EQ(trueSide(limbs[0].first), -trueSide(limbs[0].second));
+  EXPECT_EQ(trueSide(limbs[1].first), -trueSide(limbs[1].second));
+
+  const std::vector<Region> regions = hubRegions(human().landmarks, limbs);
+  EXPECT_EQ(regions[limbs[0].first], Region::Source1);
+  EXPECT_EQ(regions[limbs[0].second], Region::Target1);
+  EXPECT_EQ(regions[limbs[1].first], Region::Source2);
+  EXPECT_EQ(regions[limbs[1].second], Region::Target2);
+  for (const auto& [source, target] : limbs) {
+    for (Index i = 0; i < 250; ++i) {
+      const float half_way = 0.5F * human().landmarks.distances(source, target);
+      if (human().landmarks.distances(i, source) < half_way || human().landmarks.distances(i, target) < half_way) {
+        EXPECT_NE(regions[i], Region::Centre) << i;
+      }
+    }
+  }
+}
+
+TEST(LandmarkRegions, WithoutLimbsEverythingIsCentre)
+{
+  const std::vector<Region> regions = hubRegions(human().landmarks, {});
+  EXPECT_EQ(regions, std::vector<Region>(250, Region::Centre));
+}
+
+TEST(ComparableLandmarks, AreThoseThatHaveNoHoleAtEitherEnd)
+{
+  LandmarkSurface landmarks;
+  landmarks.at_hole = {0, 1, 0, 0, 0};
+  EXPECT_EQ(comparableLandmarks(landmarks, {0, 2, 1, 4, 3}), (std::vector<char>{1, 0, 0, 1, 1}));
+}
+
+TEST(ComparableLandmarks, AreAllWhereHolesLeaveHardlyAny)
+{
+  LandmarkSurface landmarks;
+  landmarks.at_hole = {1, 1, 1, 1, 1, 0};
+  EXPECT_EQ(comparableLandmarks(landmarks, {1, 0, 3, 2, 5, 4}), std::vector<char>(6, 1));
+}
+
+} // namespace

@@ -1,0 +1,176 @@
+#include "support/coarse_body.h"
+#include "symmetry/confidence/map_confidence.h"
+#include "symmetry/search/map_score.h"
+
+#include <gtest/gtest.h>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+SampleMap
+identity(std::size_t size)
+{
+  SampleMap map(size);
+  std::iota(map.begin(), map.end(), 0);
+  return map;
+}
+
+/** Partner landmark of every landmark under a mapping of space that maps the surface to itself. */
+template <typename Mapping>
+SampleMap
+mapOf(const LandmarkSurface& landmarks, Mapping mapping)
+{
+  SampleMap map;
+  for (const Vector3& p : landmarks.points) {
+    const Vector3 image = mapping(p);
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < landmarks.size(); ++i) {
+      if (distance(landmarks.points[i], image) < distance(landmarks.points[nearest], image)) {
+        nearest = i;
+      }
+    }
+    map.push_back(static_cast<Index>(nearest));
+  }
+  return map;
+}
+
+MapScore
+scoreOf(const CoarseBody& body, const SampleMap& map)
+{
+  const ShapeDescriptor descriptor = describeShape(body.coarse, body.basis, 8, DescriptorWeights{});
+  return scoreMap(body.landmarks, descriptor, map, map.size(), ScoreWeights{});
+}
+
+const CoarseBody&
+human()
+{
+  static const CoarseBody body = coarseBody(Body::Human, 1.0);
+  return body;
+}
+
+/** An ellipsoid of three different axes: three reflections and three half turns. */
+const CoarseBody&
+ellipsoid()
+{
+  static const CoarseBody body = [] {
+    CoarseBody result;
+    result.surface = preparedMesh(scaled(sphereMesh(5), {1.0F, 0.7F, 0.45F}));
+    result.coarse = coarsenSurface(result.surface, 700);
+    result.basis = laplacianBasis(result.coarse, 40);
+    result.landmarks = makeLandmarkSurface(result.coarse, 250, Metric::Geodesic, 1);
+    return result;
+  }();
+  return body;
+}
+
+TEST(MapScore, IdentityKeepsEverythingAndMovesNothing)
+{
+  const MapScore score = scoreOf(human(), identity(250));
+  EXPECT_EQ(score.isometry, 0.0F);
+  EXPECT_EQ(score.involution, 0.0F);
+  EXPECT_EQ(score.displacement, 0.0F);
+  EXPECT_EQ(score.fixed, 1.0F);
+  EXPECT_LT(score.reversal, 0.1F); // but for dual triangles that face the wrong way
+  EXPECT_EQ(score.curvature, 0.0F);
+}
+
+TEST(MapScore, TheTrueMapIsBetterThanIdentityAndThanChance)
+{
+  const MapScore true_map = scoreOf(human(), human().trueMap());
+  EXPECT_LT(true_map.isometry, 0.03F);
+  EXPECT_GT(true_map.reversal, 0.65F);
+  EXPECT_TRUE(isReflection(true_map));
+  EXPECT_LT(true_map.value, scoreOf(human(), identity(250)).value);
+  SampleMap shifted(250);
+  for (std::size_t i = 0; i < shifted.size(); ++i) {
+    shifted[i] = static_cast<Index>((7 * i + 13) % 250);
+  }
+  const MapScore by_chance = scoreOf(human(), shifted);
+  EXPECT_LT(true_map.value, by_chance.value);
+  EXPECT_FALSE(isReflection(by_chance));
+  EXPECT_LT(scoreConfidence(by_chance), scoreConfidence(true_map));
+}
+
+TEST(MapScore, AReflectionIsToldFromAHalfTurn)
+{
+  const CoarseBody& body = ellipsoid();
+  const MapScore reflection = scoreOf(body, mapOf(body.landmarks, [](const Vector3& p) -> Vector3 {
+                                        return {-p[0], p[1], p[2]};
+                                      }));
+  const MapScore turn = scoreOf(body, mapOf(body.landmarks, [](const Vector3& p) -> Vector3 {
+                                  return {-p[0], -p[1], p[2]};
+                                }));
+  EXPECT_LT(reflection.isometry, 0.04F);
+  EXPECT_LT(turn.isometry, 0.04F);
+  EXPECT_GT(reflection.reversal, 0.8F);
+  EXPECT_LT(turn.reversal, 0.2F);
+  EXPECT_LT(reflection.value, turn.value);
+  EXPECT_FALSE(isReflection(turn));
+}
+
+TEST(MapScore, OfARotationCountsAReversalAgainstIt)
+{
+  const CoarseBody& body = ellipsoid();
+  const ShapeDescriptor descriptor = describeShape(body.coarse, body.basis, 8, DescriptorWeights{});
+  const auto asRotation = [&](const SampleMap& map) {
+    return scoreRotation(body.landmarks, descriptor, map, map, ScoreWeights{});
+  };
+  const SampleMap turn = mapOf(body.landmarks, [](const Vector3& p) -> Vector3 { return {-p[0], -p[1], p[2]}; });
+  const SampleMap reflection = mapOf(body.landmarks, [](const Vector3& p) -> Vector3 { return {-p[0], p[1], p[2]}; });
+  EXPECT_TRUE(isRotation(asRotation(turn)));
+  EXPECT_FALSE(isRotation(asRotation(reflection)));
+  EXPECT_LT(asRotation(turn).value, scoreOf(body, turn).value);
+  EXPECT_GT(asRotation(reflection).value, scoreOf(body, reflection).value);
+}
+
+TEST(MapScore, OfARotationMeasuresTheWayBackByTheInverse)
+{
+  const CoarseBody& body = human();
+  const ShapeDescriptor descriptor = describeShape(body.coarse, body.basis, 8, DescriptorWeights{});
+  SampleMap shifted(250);
+  SampleMap inverse(250);
+  for (std::size_t i = 0; i < shifted.size(); ++i) {
+    shifted[i] = static_cast<Index>((i + 13) % 250);
+    inverse[shifted[i]] = static_cast<Index>(i);
+  }
+  EXPECT_EQ(scoreRotation(body.landmarks, descriptor, shifted, inverse, ScoreWeights{}).involution, 0.0F);
+  EXPECT_GT(scoreRotation(body.landmarks, descriptor, shifted, shifted, ScoreWeights{}).involution, 0.1F);
+}
+
+TEST(MapScore, FindsOutWhetherAMapHasAnAxis)
+{
+  const CoarseBody& body = ellipsoid();
+  const MapScore reflection = scoreOf(body, mapOf(body.landmarks, [](const Vector3& p) -> Vector3 {
+                                        return {-p[0], p[1], p[2]};
+                                      }));
+  const MapScore in_a_point = scoreOf(body, mapOf(body.landmarks, [](const Vector3& p) -> Vector3 {
+                                        return {-p[0], -p[1], -p[2]};
+                                      }));
+  EXPECT_LT(reflection.nearest_image, 0.06F);
+  EXPECT_GT(in_a_point.nearest_image, 0.3F);
+}
+
+TEST(MapScore, DoesNotDependOnTheLengthUnit)
+{
+  CoarseBody larger = human();
+  larger.landmarks.distances *= 4.0F;
+  larger.landmarks.diameter *= 4.0F;
+  for (Vector3& p : larger.landmarks.points) {
+    p = 4.0F * p;
+  }
+  EXPECT_NEAR(scoreOf(larger, human().trueMap()).value, scoreOf(human(), human().trueMap()).value, 1e-4F);
+}
+
+TEST(MapDifference, IsTheMeanDistanceOfTheImages)
+{
+  const SampleMap same = identity(250);
+  EXPECT_EQ(mapDifference(human().landmarks, same, same), 0.0F);
+  SampleMap other = same;
+  other[10] = 20;
+  EXPECT_NEAR(mapDifference(human().landmarks, same, other),
+              human().landmarks.distances(10, 20) / human().landmarks.diameter / 250.0F, 1e-6F);
+}
+
+} // namespace
