@@ -4,6 +4,7 @@
 #pragma once
 
 #include "geodesic/neighbour_graph.h"
+#include "symmetry/rival_interpretations.h"
 #include "symmetry/step_timer.h"
 
 #include <pcl/symmetry/surface.h>
@@ -12,6 +13,17 @@
 
 namespace pcl {
 namespace symmetry {
+
+/** \brief Understands a surface in one way after another until its symmetry is settled, and returns the way that
+ * convinces most, with the map.
+ * \param[out] summary what was used, also if the timer cancels
+ * \throws Cancelled by the timer */
+Interpretation
+interpretSurface(const Surface& surface,
+                 const SymmetryParameters& parameters,
+                 const NeighbourSearch& search,
+                 StepTimer& timer,
+                 InputSummary& summary);
 
 /** \brief Estimates the symmetry of a surface whose triangles and parameters have been checked.
  *

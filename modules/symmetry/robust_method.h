@@ -5,6 +5,7 @@
 
 #include "symmetry/map_estimate.h"
 #include "symmetry/refine/sample_refinement.h"
+#include "symmetry/samples/sampled_surface.h"
 #include "symmetry/search/symmetry_search.h"
 #include "symmetry/step_timer.h"
 #include "symmetry/surface/prepared_surface.h"
@@ -16,13 +17,11 @@ namespace symmetry {
 
 /** \brief What the robust method is made of; the defaults are those of the class. */
 struct RobustSettings {
-  std::size_t samples = 1500;
-  std::size_t landmarks = 600;
-  int eigenfunctions = 60;
+  SamplingSettings sampling;
   SearchSettings search;
   RefinementSettings refinement;
   std::size_t contenders = 4;    ///< best candidates that are refined and compared, as long as their scores
-  float contender_margin = 0.7F; ///< are not worse than the best one's by more than this
+  float contender_margin = 0.7F; ///< are not worse than the best one's by more than this: half as isometric
 };
 
 /** \brief Finds the symmetric map of any connected surface.
@@ -31,7 +30,7 @@ struct RobustSettings {
  * \param[in] surface connected, at unit scale
  * \param[in] parameters metric, samples (0: 1500), alternatives (none with sparse_only), threads
  * \param[in] settings ingredients
- * \param[in,out] timer told of the steps sampling, embedding, geodesics, hypotheses, matching, dense
+ * \param[in,out] timer told of the steps sampling, embedding, geodesics, features, hypotheses, matching, dense
  * \throws Cancelled by the timer
  */
 MapEstimate

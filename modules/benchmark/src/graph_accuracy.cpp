@@ -5,7 +5,7 @@
 #include "base/parallel.h"
 #include "base/statistics.h"
 #include "geodesic/shortest_paths.h"
-#include "symmetry/interpretations.h"
+#include "symmetry/pipeline.h"
 
 #include <pcl/symmetry/surface_io.h>
 
@@ -59,7 +59,7 @@ compareModel(GraphRun& run, const RunOptions& options)
   input.surface.triangles.clear();
   StepTimer timer;
   InputSummary summary;
-  const Interpretation interpretation = bestInterpretation(
+  const Interpretation interpretation = interpretSurface(
       input.surface, options.parameters,
       [&options](const std::vector<Vector3>& points, int k) {
         return searchByKdTree(points, k, options.parameters.threads);

@@ -1,5 +1,5 @@
 /** \file
- * \brief Signs that a surface is no mirror image of itself in spite of a map that looks like a reflection.
+ * \brief Measures of how far a surface is from a mirror image of itself in spite of a map that looks like a reflection.
  */
 #pragma once
 

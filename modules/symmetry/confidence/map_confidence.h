@@ -5,7 +5,7 @@
 
 #include "symmetry/confidence/map_asymmetry.h"
 #include "symmetry/refine/patch_alignment.h"
-#include "symmetry/samples/sample_interpolation.h"
+#include "symmetry/samples/sampled_surface.h"
 #include "symmetry/search/map_score.h"
 
 #include <utility>
@@ -114,11 +114,7 @@ bestTrustedMap(const std::vector<RatedMap>& maps, float least);
  * map's confidence by 1 + (change / 5 %)^2.
  */
 std::vector<float>
-pointConfidences(const LandmarkSurface& landmarks,
-                 const CoarseSurface& coarse,
-                 const SampleMap& map,
-                 const SampleInterpolation& interpolation,
-                 float map_confidence);
+pointConfidences(const SampledSurface& sampled, const SampleMap& map, float map_confidence);
 
 } // namespace symmetry
 } // namespace pcl

@@ -13,13 +13,13 @@ namespace symmetry {
 /** \brief The matches of all samples with their partners, each in both directions.
  *
  * A reflection is its own inverse: that p is the partner of a sample s says of p's surroundings what it says of those
- * of s. Where a map is not quite its own inverse, the two readings of it are averaged.
+ * of s. Where a map is not quite its own inverse, the two directions of it are averaged.
  */
-class PlaceMatches {
+class BidirectionalMatches {
 public:
   /** \param[in] surface, coarse referred to, not copied
    * \param[in] partners point that is the partner of each sample */
-  PlaceMatches(const PreparedSurface& surface, const CoarseSurface& coarse, const std::vector<Index>& partners);
+  BidirectionalMatches(const PreparedSurface& surface, const CoarseSurface& coarse, const std::vector<Index>& partners);
 
   /** \brief Where the matches around a point put its partner: in space, near the surface.
    *

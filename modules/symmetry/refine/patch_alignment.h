@@ -3,9 +3,8 @@
  */
 #pragma once
 
-#include "symmetry/refine/point_map.h"
-#include "symmetry/samples/coarse_surface.h"
 #include "symmetry/samples/rigid_reflection.h"
+#include "symmetry/samples/sampled_surface.h"
 #include "symmetry/samples/surface_patch.h"
 
 #include <vector>
@@ -36,23 +35,17 @@ struct PatchFit {
  */
 class PatchAlignment {
 public:
-  /** \param[in] surface, coarse, members referred to, not copied
-   * \param[in] diameter of the surface, in the unit of its points */
-  PatchAlignment(const PreparedSurface& surface,
-                 const CoarseSurface& coarse,
-                 const CellMembers& members,
-                 float diameter,
-                 const PatchSize& size,
-                 unsigned threads);
+  /** \param[in] sampled referred to, not copied */
+  PatchAlignment(const SampledSurface& sampled, const PatchSize& size);
 
   /** \brief Improves partners (partner point of every sample) in so many rounds, each followed by one of
    * mutualPartners (). */
   std::vector<Index>
-  align(std::vector<Index> partners, int rounds, unsigned threads) const;
+  align(std::vector<Index> partners, int rounds) const;
 
   /** \brief How well each patch fits its image. */
   std::vector<PatchFit>
-  fits(const std::vector<Index>& partners, unsigned threads) const;
+  fits(const std::vector<Index>& partners) const;
 
 private:
   /** Where the patches around a sample put its partner. */
@@ -66,15 +59,14 @@ private:
   matchesOf(const SurfacePatch& patch, const std::vector<Index>& partners) const;
 
   std::vector<WantedPlace>
-  wantedPlaces(const std::vector<Index>& partners, unsigned threads) const;
+  wantedPlaces(const std::vector<Index>& partners) const;
 
   Index
   nearestFacing(Index partner, const WantedPlace& wanted) const;
 
+  const SampledSurface& sampled_;
   const PreparedSurface& surface_;
   const CoarseSurface& coarse_;
-  const CellMembers& members_;
-  float diameter_;
   float spacing_; ///< mean distance between adjacent samples
   std::vector<SurfacePatch> patches_;
   std::vector<std::vector<Index>> surroundings_; ///< of each cell: itself and the cells within two steps, ascending

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "symmetry/refine/patch_fitting.h"
+#include "symmetry/samples/sampled_surface.h"
 
 #include <vector>
 
@@ -25,18 +26,14 @@ struct GrowthSettings {
  * image is tried on the patches around it and, backwards, on those around its image, and settled there; the better one
  * is kept and tried in turn. The patches that fit best come first. So good matches spread in PatchMatch (C. Barnes et
  * al., 2009), which has images in place of surfaces.
- * \param[in] fitting of the samples in \a coarse
- * \param[in] diameter of the surface, in the unit of its points
+ * \param[in] fitting of the samples
  * \param[in,out] partners partner point of every sample
  * \return number of times that a patch got a better reflection */
 std::size_t
-growReflections(const PreparedSurface& surface,
-                const CoarseSurface& coarse,
+growReflections(const SampledSurface& sampled,
                 const PatchFitting& fitting,
-                float diameter,
                 const GrowthSettings& settings,
-                std::vector<Index>& partners,
-                unsigned threads);
+                std::vector<Index>& partners);
 
 } // namespace symmetry
 } // namespace pcl

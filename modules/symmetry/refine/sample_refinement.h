@@ -4,11 +4,8 @@
 #pragma once
 
 #include "symmetry/refine/patch_alignment.h"
-#include "symmetry/refine/point_map.h"
 #include "symmetry/refine/reflection_growth.h"
-#include "symmetry/samples/landmark_surface.h"
-#include "symmetry/samples/laplacian_basis.h"
-#include "symmetry/samples/sample_interpolation.h"
+#include "symmetry/samples/sampled_surface.h"
 #include "symmetry/search/symmetry_search.h"
 
 #include <vector>
@@ -18,16 +15,15 @@ namespace symmetry {
 
 /** \brief Settings of the refinement; lengths are shares of the diameter. */
 struct RefinementSettings {
-  std::vector<int> levels{45, 60}; ///< eigenfunctions used on all samples
-  int guide_dimensions = 14;       ///< spectral coordinates in the orientation part of its guide
-  float guidance = 1.5F;           ///< weight of the local parts of the descriptor in it
+  std::vector<int> levels{45, 60};         ///< eigenfunctions used on all samples
+  DescriptorWeights guide{14, 0.5F, 0.3F}; ///< of the local parts that guide it
+  float guidance = 1.5F;                   ///< weight of the local parts of the descriptor in it
   std::vector<PatchSize> patches{{0.14F, 150}, {0.1F, 300}, {0.06F, 600}}; ///< aligned in this order
   int patch_rounds = 3;
-  std::vector<float> end_radii{0.12F, 0.18F}; ///< ends of the body that are turned; empty: none
-  float end_separation = 0.12F;               ///< of the tips of these ends
-  GrowthSettings growth;                      ///< of what does not fit from what does
-  int mutual_rounds = 4;                      ///< in which partners are drawn towards a map that is its own inverse
-  std::uint32_t probes = 16; ///< points of a cell from which nearest ones are searched over the surface
+  std::vector<float> extremity_radii{0.12F, 0.18F}; ///< of the extremities that are turned; empty: none
+  float extremity_separation = 0.12F;               ///< least distance between them
+  GrowthSettings growth;                            ///< of what does not fit from what does
+  int mutual_rounds = 4; ///< in which partners are drawn towards a map that is its own inverse
   ScoreWeights score;
   std::size_t score_queries = 300; ///< landmarks that take part in the measure of isometry
   float fit = 1.0F;                ///< weight of the fit of the patches in the value of an estimate
@@ -48,14 +44,7 @@ struct SampleEstimate {
 class SampleRefinement {
 public:
   /** All that is given is referred to, not copied. */
-  SampleRefinement(const PreparedSurface& surface,
-                   const CoarseSurface& coarse,
-                   const LaplacianBasis& basis,
-                   const LandmarkSurface& landmarks,
-                   const SampleInterpolation& interpolation,
-                   const CellMembers& members,
-                   const RefinementSettings& settings,
-                   unsigned threads);
+  SampleRefinement(const SampledSurface& sampled, const RefinementSettings& settings);
 
   /** \brief Extends the map of the landmarks to all samples, refines it in the eigenfunctions, then by the shape of the
    * surface. */
@@ -63,21 +52,14 @@ public:
   refine(const SymmetryCandidate& candidate) const;
 
 private:
-  void
-  turnEnds(std::vector<Index>& partners) const;
-
   std::vector<Index>
   spectralPartners(const SymmetryCandidate& candidate) const;
 
-  const PreparedSurface& surface_;
-  const CoarseSurface& coarse_;
-  const LaplacianBasis& basis_;
-  const LandmarkSurface& landmarks_;
-  const SampleInterpolation& interpolation_;
-  const CellMembers& members_;
-  CellMembers probes_; ///< points of each cell from which nearest ones are searched
+  void
+  rotateExtremitiesOf(std::vector<Index>& partners) const;
+
+  const SampledSurface& sampled_;
   const RefinementSettings& settings_;
-  unsigned threads_;
   PatchFitting fitting_;
   ShapeDescriptor guide_;
   UpwardRefinement upward_;

@@ -24,9 +24,10 @@ struct LandmarkSurface {
   std::vector<Index> nearest_landmark; ///< of every sample
   std::vector<Vector3> points;
   std::vector<Vector3> normals;
-  std::vector<char> at_hole;           ///< not 0: a hole reaches into the cell of the sample
-  std::vector<float> average_distance; ///< average geodesic distance (AGD) of each landmark
-  std::vector<Index> extremities;      ///< local maxima of the AGD, the farthest out first
+  std::vector<char> at_hole;               ///< not 0: a hole reaches into the cell of the sample
+  std::vector<float> average_distance;     ///< average geodesic distance (AGD) of each landmark
+  std::vector<Index> extremities;          ///< local maxima of the AGD, the farthest out first
+  std::vector<std::vector<Index>> nearest; ///< landmarks around each one: nearestLandmarks () of the distances
 
   std::size_t
   size() const
@@ -34,6 +35,14 @@ struct LandmarkSurface {
     return points.size();
   }
 };
+
+/** \brief How many of the landmarks around each one are kept: the most that a step looks at. */
+constexpr std::size_t kept_nearest_landmarks = 30;
+
+/** \brief The landmarks nearest to each landmark, nearest first, without itself; ties go to the lower landmark.
+ * \param[in] distances between all of them */
+std::vector<std::vector<Index>>
+nearestLandmarks(const Eigen::MatrixXf& distances, std::size_t count = kept_nearest_landmarks);
 
 /** \brief Takes the first \a landmarks samples; cost: one shortest-path search on the coarse graph for each.
  * \param[in] metric Euclidean: the mutual distances are straight lines */

@@ -1,5 +1,5 @@
 /** \file
- * \brief Local repair of a map that is a reflection on most of a surface, but not on all of it.
+ * \brief Parts of a map grown anew, where it is a reflection on most of a surface, but not on all of it.
  */
 #pragma once
 
@@ -10,10 +10,6 @@
 
 namespace pcl {
 namespace symmetry {
-
-/** \brief The landmarks nearest to each landmark, nearest first, without itself; ties go to the lower landmark. */
-std::vector<std::vector<Index>>
-nearestLandmarks(const LandmarkSurface& landmarks, std::size_t count);
 
 /** \brief How far a map turns the surface over around every landmark: from -1 (nowhere, as a rotation) to 1
  * (everywhere).
@@ -38,18 +34,18 @@ relaxedMap(const LandmarkSurface& landmarks, const SampleMap& map);
 /** \brief Moves the image of every landmark, in turn, to where its distances to the landmarks around it and to a few
  * landmarks all over the surface come out best, \a rounds times. */
 SampleMap
-settledMap(const LandmarkSurface& landmarks, SampleMap map, int rounds);
+refittedMap(const LandmarkSurface& landmarks, SampleMap map, int rounds);
 
 /** \brief Derives a map anew wherever it keeps the orientation.
  *
  * The lowest eigenfunctions hardly see a part behind a thin neck (a head), so that a map may leave it as it is or turn
  * it while it mirrors all the rest. From what is sound around such a part, landmark after landmark is placed where its
  * distances to the landmarks around it that have a place already come out best; distances to a few sound landmarks all
- * over the surface keep the growing part from folding back. \return empty where there is nothing to repair, or not
+ * over the surface keep the growing part from folding back. \return empty where there is nothing to grow anew, or not
  * enough to start from
  */
 SampleMap
-repairedMap(const LandmarkSurface& landmarks, const SampleMap& map);
+regrownMap(const LandmarkSurface& landmarks, const SampleMap& map);
 
 } // namespace symmetry
 } // namespace pcl

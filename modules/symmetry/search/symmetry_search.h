@@ -3,9 +3,7 @@
  */
 #pragma once
 
-#include "symmetry/samples/landmark_surface.h"
-#include "symmetry/samples/laplacian_basis.h"
-#include "symmetry/samples/shape_descriptor.h"
+#include "symmetry/samples/sampled_surface.h"
 #include "symmetry/search/map_score.h"
 #include "symmetry/search/symmetry_hypotheses.h"
 
@@ -16,20 +14,18 @@ namespace symmetry {
 
 /** \brief Settings of the search; every ingredient can be switched off for an ablation. */
 struct SearchSettings {
-  int dimensions = 8; ///< spectral coordinates on which hypotheses act
   bool sign_patterns = true;
   std::size_t pairings = 60; ///< hypotheses from extremities, 0: none
-  DescriptorWeights descriptor;
   ScoreWeights score;
   std::size_t coarse_queries = 120;            ///< landmarks matched per hypothesis,
   std::size_t coarse_targets = 300;            ///< among so many
   std::size_t refined = 16;                    ///< distinct candidates that are refined
   std::vector<int> levels{14, 18, 24, 32, 40}; ///< eigenfunctions used by the refinement
-  int guide_dimensions = 10;                   ///< spectral coordinates in the orientation part of the guide
+  DescriptorWeights guide{10, 0.5F, 0.3F};     ///< of the local parts that guide the refinement
   float guidance = 0.5F;                       ///< weight of the local parts of the descriptor in the refinement
-  std::size_t repaired = 6; ///< best candidates whose weak parts are derived anew from their strong ones
-  std::size_t mended = 2; ///< best candidates whose parts that are not turned over are derived anew from what is around
-  float distinct = 0.06F; ///< maps that differ less on average (share of the diameter) count as one
+  std::size_t rederived = 6; ///< best candidates whose weak parts are derived anew from their strong ones
+  std::size_t regrown = 2;   ///< best candidates whose parts that are not turned over are grown anew from those around
+  float distinct = 0.06F;    ///< maps that differ less on average (share of the diameter) count as one
 };
 
 /** \brief A refined map of the landmarks. */
@@ -42,11 +38,7 @@ struct SymmetryCandidate {
 
 /** \brief Distinct candidates, best first; empty where the surface is too small for the search. */
 std::vector<SymmetryCandidate>
-searchSymmetries(const CoarseSurface& surface,
-                 const LaplacianBasis& basis,
-                 const LandmarkSurface& landmarks,
-                 const SearchSettings& settings,
-                 unsigned threads);
+searchSymmetries(const SampledSurface& sampled, const SearchSettings& settings);
 
 } // namespace symmetry
 } // namespace pcl

@@ -22,7 +22,7 @@ swappedExtremities(const LandmarkSurface& landmarks, const SampleMap& map, const
 /** \brief Region of every landmark: limb of a pair where the landmark is nearer to its end than half the way to the
  * other end, else centre (as the regions of the staged method). */
 std::vector<Region>
-hubRegions(const LandmarkSurface& landmarks, const std::vector<std::pair<Index, Index>>& limbs);
+limbRegions(const LandmarkSurface& landmarks, const std::vector<std::pair<Index, Index>>& limbs);
 
 } // namespace symmetry
 } // namespace pcl

@@ -1,61 +1,34 @@
 #include "symmetry/interpretations.h"
 
-#include "base/vector_math.h"
 #include "symmetry/confidence/map_confidence.h"
-#include "symmetry/robust_method.h"
-#include "symmetry/staged/staged_method.h"
 #include "symmetry/surface/surface_preparation.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <iterator>
 #include <utility>
 
 namespace pcl {
 namespace symmetry {
 namespace {
 
-/** Where some evenly numbered points of the input go; not a number where they go nowhere. Empty without a dense map. */
-std::vector<Vector3>
-imagesOfProbes(const Interpretation& interpretation)
-{
-  constexpr std::size_t probes = 500;
-  constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
-  const std::vector<Index>& representatives = interpretation.surface.representatives;
-  const std::vector<Index>& partners = interpretation.estimate.partners;
-  std::vector<Vector3> images;
-  const std::size_t step = std::max<std::size_t>(1, representatives.size() / probes);
-  for (std::size_t v = 0; !partners.empty() && v < representatives.size(); v += step) {
-    const Index partner = representatives[v] == no_index ? no_index : partners[representatives[v]];
-    images.push_back(partner == no_index ? Vector3{nowhere, nowhere, nowhere} : interpretation.surface.points[partner]);
-  }
-  return images;
-}
+/** Edges between parallel sheets barred, normals of one sheet: where points are dense and without noise. The numbers of
+ * this and the following tests were chosen by hand on generated bodies and scans; no script fits them. */
+const ContactTest parallel_sheets{0.85F, 6.0F, 0.5F, true, 0.15F};
 
-/** Whether most points go to the same places; so they do where there are none. */
-bool
-areAlike(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
-{
-  constexpr float near = 0.1F; // surfaces are at unit scale
-  constexpr double most = 0.7;
-  std::size_t both = 0;
-  std::size_t alike = 0;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    const float apart = distance(a[i], b[i]);
-    both += apart >= 0.0F ? 1U : 0U; // false for what is not a number
-    alike += apart < near ? 1U : 0U;
-  }
-  return static_cast<double>(alike) >= most * static_cast<double>(both);
-}
+/** How readily an edge is taken for a shortcut between parts in contact. */
+const ContactTest trusting{0.5F, 3.0F};
+const ContactTest usual{0.8F, 4.0F};
+const ContactTest distrustful{0.95F, 8.0F};
 
-MapEstimate
-estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameters, StepTimer& timer)
+/** Depths at which touching surfaces that noise has merged are looked for, in spacings. */
+constexpr float contact_depth = 1.0F;
+constexpr float shallow_contact_depth = 0.7F;
+
+ContactTest
+atDepth(ContactTest test, float depth)
 {
-  if (parameters.method == Method::Staged) {
-    return estimateStaged(prepared, parameters, timer);
-  }
-  static const RobustSettings default_settings;
-  return estimateRobust(prepared, parameters, default_settings, timer);
+  test.depth = depth;
+  return test;
 }
 
 /** Which points of a cloud touch and which are connected cannot always be told: the ways to read it, the one that is
@@ -64,99 +37,20 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
 std::vector<ContactTest>
 contactTests(const PreparedSurface& surface, const SymmetryParameters& parameters, const std::vector<float>& depths)
 {
-  constexpr std::size_t many_points = 8000; // fewer are as far apart as fingers are thick, and touch all over
+  constexpr std::size_t dense_points = 8000; // fewer are as far apart as fingers are thick, and touch all over
   if (!surface.is_cloud || parameters.method == Method::Staged) {
     return {ContactTest{}};
   }
-  const bool is_precise = surface.summary.smoothing_radius == 0.0F && surface.size() >= many_points;
+  const bool is_precise = surface.summary.smoothing_radius == 0.0F && surface.size() >= dense_points;
   std::vector<ContactTest> tests;
   if (depths.empty() && is_precise) {
-    tests.push_back({0.85F, 6.0F, 0.5F, true, 0.15F});
+    tests.push_back(parallel_sheets);
   }
   for (const float depth : depths.empty() ? std::vector<float>{0.0F} : depths) {
-    tests.insert(tests.end(), {{0.5F, 3.0F, depth}, {0.8F, 4.0F, depth}, {0.95F, 8.0F, depth}});
+    tests.insert(tests.end(), {atDepth(trusting, depth), atDepth(usual, depth), atDepth(distrustful, depth)});
   }
   return tests;
 }
-
-/** Whether noise or points at random places make each interpretation of a cloud uncertain. */
-bool
-isUncertain(const PreparedSurface& surface)
-{
-  constexpr std::size_t probes = 2000;
-  if (surface.summary.smoothing_radius > 0.0F) {
-    return true;
-  }
-  std::vector<Index> probed;
-  const std::size_t step = std::max<std::size_t>(1, surface.size() / probes);
-  for (std::size_t v = 0; v < surface.graph.size(); v += step) {
-    probed.push_back(static_cast<Index>(v));
-  }
-  return measureSpacing(surface.graph, probed, 1.0F).irregularity >= random_irregularity;
-}
-
-/** Below this confidence after several interpretations there is no symmetry. */
-float
-leastOfSeveralInterpretations(const Interpretation& interpretation)
-{
-  constexpr float uncertain = 0.15F;
-  constexpr float with_many_holes = 0.2F;
-  constexpr float usual = 0.25F;
-  return isUncertain(interpretation.surface)
-             ? uncertain
-             : usual - (usual - with_many_holes) * weightOfHoles(interpretation.estimate.known_holes);
-}
-
-/** Reads one surface in several ways. */
-class Reader {
-public:
-  Reader(const Surface& surface,
-         const SymmetryParameters& parameters,
-         const NeighbourSearch& search,
-         StepTimer& timer,
-         InputSummary& summary)
-      : surface_(surface), parameters_(parameters), search_(search), timer_(timer), summary_(summary)
-  {
-  }
-
-  /** Reads the noise in one way and contacts in several, until the result is settled.
-   * \param[in] depths see contactTests () */
-  void
-  read(NoiseInterpretation noise, const std::vector<float>& depths = {}, FaceUse faces = FaceUse::Connection)
-  {
-    timer_.start("graph", 0.0);
-    const UsablePoints usable = usablePoints(surface_, parameters_, search_, noise, faces);
-    for (const ContactTest& contact : contactTests(usable.surface, parameters_, depths)) {
-      if (!past_.isNew(usable.surface, contact)) {
-        continue; // it would speak twice
-      }
-      timer_.start("graph", 0.0);
-      Interpretation interpretation;
-      interpretation.surface = prepareSurface(usable, parameters_, contact);
-      summary_ = interpretation.surface.summary;
-      interpretation.estimate = estimateMap(interpretation.surface, parameters_, timer_);
-      rivals_.add(std::move(interpretation));
-      if (rivals_.isSettled()) {
-        return;
-      }
-    }
-  }
-
-  RivalInterpretations&
-  rivals()
-  {
-    return rivals_;
-  }
-
-private:
-  const Surface& surface_;
-  const SymmetryParameters& parameters_;
-  const NeighbourSearch& search_;
-  StepTimer& timer_;
-  InputSummary& summary_;
-  RivalInterpretations rivals_;
-  PastInterpretations past_;
-};
 
 } // namespace
 
@@ -176,123 +70,65 @@ PastInterpretations::isNew(const PreparedSurface& surface, const ContactTest& co
   return true;
 }
 
-void
-RivalInterpretations::add(Interpretation interpretation)
+InterpretationPlan::InterpretationPlan(const Surface& surface,
+                                       const SymmetryParameters& parameters,
+                                       const NeighbourSearch& search)
+    : surface_(surface),
+      parameters_(parameters),
+      search_(search),
+      stages_{{NoiseInterpretation::Close, FaceUse::Connection, {}}}
 {
-  ++interpretations_;
-  const bool is_found = interpretation.estimate.status == SymmetryStatus::Symmetric;
-  const float confidence = interpretation.estimate.confidence;
-  std::vector<Vector3> images = is_found ? imagesOfProbes(interpretation) : std::vector<Vector3>{};
-  const auto same = std::find_if(rivals_.begin(), rivals_.end(), [&](const Rival& rival) {
-    const bool rival_is_found = rival.interpretation.estimate.status == SymmetryStatus::Symmetric;
-    return is_found == rival_is_found && areAlike(images, rival.images);
-  });
-  if (same == rivals_.end()) {
-    rivals_.push_back({std::move(interpretation), std::move(images), is_found ? confidence : 0.0F});
-    return;
-  }
-  same->evidence += is_found ? confidence : 0.0F;
-  if (confidence > same->interpretation.estimate.confidence) {
-    same->interpretation = std::move(interpretation);
-    same->images = std::move(images);
-  }
 }
 
-bool
-RivalInterpretations::isSettled() const
+std::optional<PreparedSurface>
+InterpretationPlan::next(const RivalInterpretations& rivals)
 {
-  constexpr float beyond_doubt = 0.9F;
-  constexpr float sure_together = 2.0F; // three interpretations that agree, each sure enough alone
-  constexpr float usually = 0.6F;
-  if (rivals_.empty()) {
-    return false;
-  }
-  const std::size_t best = bestRival();
-  const MapEstimate& estimate = rivals_[best].interpretation.estimate;
-  float contradicting = 0.0F;
-  for (std::size_t i = 0; i < rivals_.size(); ++i) {
-    contradicting += i == best ? 0.0F : rivals_[i].evidence;
-  }
-  const float evidence = rivals_[best].evidence;
-  const bool is_usual = evidence >= sure_together && evidence >= usually * static_cast<float>(interpretations_);
-  return estimate.status == SymmetryStatus::TooFewPoints || is_usual ||
-         (estimate.confidence >= beyond_doubt && evidence > contradicting);
-}
-
-const Interpretation&
-RivalInterpretations::best() const
-{
-  return rivals_[bestRival()].interpretation;
-}
-
-Interpretation
-RivalInterpretations::takeBest()
-{
-  Rival& best = rivals_[bestRival()];
-  const float least_confidence = leastOfSeveralInterpretations(best.interpretation);
-  MapEstimate& estimate = best.interpretation.estimate;
-  if (estimate.status == SymmetryStatus::Symmetric && interpretations_ > 1) {
-    const float agreement = best.evidence / static_cast<float>(interpretations_);
-    const float share = std::sqrt(agreement / estimate.confidence);
-    estimate.confidence *= share;
-    for (float& confidence : estimate.confidences) {
-      confidence *= share;
-    }
-    for (std::vector<AlternativeMap>* maps : {&estimate.alternatives, &estimate.rotations}) {
-      for (AlternativeMap& map : *maps) {
-        map.confidence *= share;
+  while (!rivals.isSettled()) {
+    while (!contacts_.empty()) {
+      const ContactTest contact = contacts_.back();
+      contacts_.pop_back();
+      if (past_.isNew(usable_.surface, contact)) { // else it would speak twice
+        return prepareSurface(usable_, parameters_, contact);
       }
     }
-    if (estimate.confidence < least_confidence) {
-      estimate.status = SymmetryStatus::NoSymmetry;
-      estimate.message = "hardly any way to read the points shows a symmetry";
+    if (stages_.empty() && is_first_) {
+      is_first_ = false;
+      stages_ = furtherStages(rivals);
+      std::reverse(stages_.begin(), stages_.end());
     }
+    if (stages_.empty()) {
+      break;
+    }
+    const Stage stage = std::move(stages_.back());
+    stages_.pop_back();
+    usable_ = usablePoints(surface_, parameters_, search_, stage.noise, stage.faces);
+    contacts_ = contactTests(usable_.surface, parameters_, stage.depths);
+    std::reverse(contacts_.begin(), contacts_.end());
   }
-  return std::move(best.interpretation);
+  return std::nullopt;
 }
 
-std::size_t
-RivalInterpretations::bestRival() const
+/** What to try where the first stage leaves doubt. */
+std::vector<InterpretationPlan::Stage>
+InterpretationPlan::furtherStages(const RivalInterpretations& rivals) const
 {
-  const auto comes_before = [](const Rival& a, const Rival& b) {
-    return a.evidence != b.evidence ? a.evidence > b.evidence
-                                    : a.interpretation.estimate.confidence > b.interpretation.estimate.confidence;
-  };
-  return static_cast<std::size_t>(std::min_element(rivals_.begin(), rivals_.end(), comes_before) - rivals_.begin());
-}
-
-Interpretation
-bestInterpretation(const Surface& surface,
-                   const SymmetryParameters& parameters,
-                   const NeighbourSearch& search,
-                   StepTimer& timer,
-                   InputSummary& summary)
-{
-  constexpr float contact = 1.0F; // spacings
-  Reader reader(surface, parameters, search, timer, summary);
-  RivalInterpretations& rivals = reader.rivals();
-  reader.read(NoiseInterpretation::Close);
-  if (parameters.method == Method::Staged || rivals.isSettled()) {
-    return rivals.takeBest();
+  const Interpretation& best = rivals.best();
+  if (parameters_.method == Method::Staged) {
+    return {};
   }
-  if (surface.hasFaces()) {
-    if (weightOfHoles(rivals.best().estimate.known_holes) > 0.0F) {
-      reader.read(NoiseInterpretation::Close, {}, FaceUse::Normals);
-    }
-    return rivals.takeBest();
+  if (surface_.hasFaces()) {
+    // Holes part what belongs together and lead distances astray.
+    const bool has_holes = weightOfHoles(best.estimate.known_holes) > 0.0F;
+    return has_holes ? std::vector<Stage>{{NoiseInterpretation::Close, FaceUse::Normals, {}}} : std::vector<Stage>{};
   }
-  if (summary.smoothing_radius == 0.0F) {
-    if (rivals.best().estimate.status != SymmetryStatus::Symmetric) {
-      reader.read(NoiseInterpretation::Parted, {contact});
-    }
-    return rivals.takeBest();
+  if (usable_.surface.summary.smoothing_radius == 0.0F) {
+    const bool is_found = best.estimate.status == SymmetryStatus::Symmetric;
+    return is_found ? std::vector<Stage>{}
+                    : std::vector<Stage>{{NoiseInterpretation::Parted, FaceUse::Connection, {contact_depth}}};
   }
-  reader.read(NoiseInterpretation::Smooth);
-  if (!rivals.isSettled()) {
-    // Noise makes each interpretation uncertain, so that several are worth their time.
-    reader.read(NoiseInterpretation::Parted, {contact, 0.0F, 0.7F * contact});
-  }
-  return rivals.takeBest();
+  // Noise makes each interpretation uncertain, so that several are worth their time.
+  return {{NoiseInterpretation::Smooth, FaceUse::Connection, {}},
+          {NoiseInterpretation::Parted, FaceUse::Connection, {contact_depth, 0.0F, shallow_contact_depth}}};
 }
 
 } // namespace symmetry

@@ -1,11 +1,15 @@
 #include "symmetry/pipeline.h"
 
 #include "symmetry/interpretations.h"
+#include "symmetry/robust_method.h"
 #include "symmetry/sides/axis_curve.h"
 #include "symmetry/sides/map_quality.h"
 #include "symmetry/sides/sides.h"
+#include "symmetry/staged/staged_method.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace pcl {
 namespace symmetry {
@@ -116,6 +120,17 @@ deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, Symme
   result.map.axis = static_cast<std::size_t>(std::count(result.sides.begin(), result.sides.end(), Side::Axis));
 }
 
+MapEstimate
+estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameters, StepTimer& timer)
+{
+  if (parameters.method == Method::Staged) {
+    return estimateStaged(prepared, parameters, timer);
+  }
+  static const RobustSettings default_settings;
+  return estimateRobust(prepared, parameters, default_settings, timer);
+}
+
+/** The whole method. */
 void
 estimateInto(SymmetryResult& result,
              const Surface& surface,
@@ -123,7 +138,7 @@ estimateInto(SymmetryResult& result,
              const NeighbourSearch& search,
              StepTimer& timer)
 {
-  Interpretation interpretation = bestInterpretation(surface, parameters, search, timer, result.input);
+  Interpretation interpretation = interpretSurface(surface, parameters, search, timer, result.input);
   if (parameters.sparse_only) {
     interpretation.estimate.partners.clear(); // only now: interpretations are compared by their dense maps
   }
@@ -137,6 +152,7 @@ estimateInto(SymmetryResult& result,
   if (estimate.status != SymmetryStatus::Symmetric) {
     return;
   }
+  // Deliver: in numbers of the input's points; measures of the map; sides and the curve between them.
   deliverMap(estimate, prepared, result);
   timer.start("quality", 0.85);
   result.map = measureMap(prepared, estimate.partners, estimate.diameter, parameters.threads);
@@ -147,6 +163,28 @@ estimateInto(SymmetryResult& result,
 }
 
 } // namespace
+
+Interpretation
+interpretSurface(const Surface& surface,
+                 const SymmetryParameters& parameters,
+                 const NeighbourSearch& search,
+                 StepTimer& timer,
+                 InputSummary& summary)
+{
+  // Interpret: in one way after another until the result is settled; the ways vote.
+  InterpretationPlan plan(surface, parameters, search);
+  RivalInterpretations rivals;
+  timer.start("graph", 0.0);
+  while (std::optional<PreparedSurface> prepared = plan.next(rivals)) {
+    // Prepare: points cleaned, graph built, at unit scale; done by the plan.
+    summary = prepared->summary;
+    // Sample, search, refine, judge: by either method.
+    MapEstimate estimate = estimateMap(*prepared, parameters, timer);
+    rivals.add({std::move(*prepared), std::move(estimate)});
+    timer.start("graph", 0.0);
+  }
+  return rivals.takeBest();
+}
 
 SymmetryResult
 runPipeline(const Surface& surface,

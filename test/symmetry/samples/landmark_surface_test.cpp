@@ -113,7 +113,7 @@ TEST(PairVotes, NothingThatMovesNoPairs)
   EXPECT_TRUE(orderPairs(human().landmarks, identity).sources.empty());
 }
 
-TEST(LandmarkRegions, LimbsOfTheTrueMapHoldOppositeSides)
+TEST(LimbRegions, LimbsOfTheTrueMapHoldOppositeSides)
 {
   const SampleMap map = human().trueMap();
   const auto limbs = swappedExtremities(human().landmarks, map, orderPairs(human().landmarks, map));
@@ -122,7 +122,7 @@ TEST(LandmarkRegions, LimbsOfTheTrueMapHoldOppositeSides)
   EXPECT_EQ(trueSide(limbs[0].first), -trueSide(limbs[0].second));
   EXPECT_EQ(trueSide(limbs[1].first), -trueSide(limbs[1].second));
 
-  const std::vector<Region> regions = hubRegions(human().landmarks, limbs);
+  const std::vector<Region> regions = limbRegions(human().landmarks, limbs);
   EXPECT_EQ(regions[limbs[0].first], Region::Source1);
   EXPECT_EQ(regions[limbs[0].second], Region::Target1);
   EXPECT_EQ(regions[limbs[1].first], Region::Source2);
@@ -137,9 +137,9 @@ TEST(LandmarkRegions, LimbsOfTheTrueMapHoldOppositeSides)
   }
 }
 
-TEST(LandmarkRegions, WithoutLimbsEverythingIsCentre)
+TEST(LimbRegions, WithoutLimbsEverythingIsCentre)
 {
-  const std::vector<Region> regions = hubRegions(human().landmarks, {});
+  const std::vector<Region> regions = limbRegions(human().landmarks, {});
   EXPECT_EQ(regions, std::vector<Region>(250, Region::Centre));
 }
 

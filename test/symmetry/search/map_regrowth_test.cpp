@@ -72,22 +72,22 @@ TEST(ReversalAtLandmarks, IsNegativeWhereTheMapKeepsTheOrientation)
   EXPECT_LT(averageOf(reversalAtLandmarks(human().landmarks, mapWithUnmirroredHead(human())), head), -0.5F);
 }
 
-TEST(RepairedMap, MirrorsAHeadThatWasLeftAsItIs)
+TEST(RegrownMap, MirrorsAHeadThatWasLeftAsItIs)
 {
   const SampleMap truth = human().trueMap();
   const SampleMap broken = mapWithUnmirroredHead(human());
-  const SampleMap repaired = repairedMap(human().landmarks, broken);
+  const SampleMap repaired = regrownMap(human().landmarks, broken);
   ASSERT_EQ(repaired.size(), broken.size());
   EXPECT_LT(mapDifference(human().landmarks, repaired, truth), 0.5F * mapDifference(human().landmarks, broken, truth));
   const std::vector<Index> head = hubsAround(human().landmarks, stationaryExtremity(human(), truth), 0.08F);
   EXPECT_GT(averageOf(reversalAtLandmarks(human().landmarks, repaired), head), 0.3F);
 }
 
-TEST(RepairedMap, IsNoneWhereMostOfTheMapKeepsTheOrientation)
+TEST(RegrownMap, IsNoneWhereMostOfTheMapKeepsTheOrientation)
 {
   SampleMap identity(human().landmarks.size());
   std::iota(identity.begin(), identity.end(), 0);
-  EXPECT_TRUE(repairedMap(human().landmarks, identity).empty());
+  EXPECT_TRUE(regrownMap(human().landmarks, identity).empty());
 }
 
 TEST(StretchAtLandmarks, IsNoneForTheIdentityAndLargeAtATear)
@@ -128,7 +128,7 @@ TEST(NearestLandmarks, AreTheNearestInOrderWithoutTheLandmarkItself)
   }
 }
 
-TEST(SettledMap, BringsImagesThatAreALandmarkOrTwoOffCloserToTheTruth)
+TEST(RefittedMap, BringsImagesThatAreALandmarkOrTwoOffCloserToTheTruth)
 {
   const LandmarkSurface& landmarks = human().landmarks;
   const SampleMap truth = human().trueMap();
@@ -137,7 +137,7 @@ TEST(SettledMap, BringsImagesThatAreALandmarkOrTwoOffCloserToTheTruth)
   for (std::size_t i = 0; i < blurred.size(); ++i) {
     blurred[i] = nearest[truth[i]][i % 6];
   }
-  const SampleMap settled = settledMap(landmarks, blurred, 3);
+  const SampleMap settled = refittedMap(landmarks, blurred, 3);
   EXPECT_LT(mapDifference(landmarks, settled, truth), 0.6F * mapDifference(landmarks, blurred, truth));
 }
 

@@ -38,15 +38,16 @@ comparableWindows(const LandmarkSurface& landmarks, float radius, const std::vec
  * compared.
  */
 Eigen::MatrixXf
-averagedColumns(const Eigen::MatrixXf& matrix,
-                const std::vector<std::vector<Index>>& nearest,
-                const std::vector<char>& comparable)
+averagedColumns(const Eigen::MatrixXf& matrix, const LandmarkSurface& landmarks, const std::vector<char>& comparable)
 {
+  constexpr std::size_t next = 6; // landmarks around one in a triangulation, the mean
   Eigen::MatrixXf mean = matrix;
-  for (std::size_t i = 0; i < nearest.size(); ++i) {
+  for (std::size_t i = 0; i < landmarks.nearest.size(); ++i) {
     auto column = mean.col(static_cast<Eigen::Index>(i));
+    const std::vector<Index>& nearest = landmarks.nearest[i];
     int count = 1;
-    for (const Index j : nearest[i]) {
+    for (std::size_t k = 0; k < std::min(next, nearest.size()); ++k) {
+      const Index j = nearest[k];
       if (comparable[j] != 0) {
         column += matrix.col(j);
         ++count;
@@ -63,7 +64,6 @@ averagedColumns(const Eigen::MatrixXf& matrix,
 std::vector<float>
 stretchAround(const LandmarkSurface& landmarks, const SampleMap& map)
 {
-  constexpr std::size_t next = 6;
   constexpr float radius = 0.2F;
   const std::vector<char> comparable = comparableLandmarks(landmarks, map);
   const auto count = static_cast<Eigen::Index>(landmarks.size());
@@ -74,8 +74,8 @@ stretchAround(const LandmarkSurface& landmarks, const SampleMap& map)
       change(i, j) = landmarks.distances(i, j) - from_image(map[static_cast<std::size_t>(i)]);
     }
   }
-  const std::vector<std::vector<Index>> nearest = nearestLandmarks(landmarks, next);
-  change = averagedColumns(averagedColumns(change, nearest, comparable).transpose(), nearest, comparable).cwiseAbs();
+  change =
+      averagedColumns(averagedColumns(change, landmarks, comparable).transpose(), landmarks, comparable).cwiseAbs();
   const Eigen::MatrixXf window = comparableWindows(landmarks, radius, comparable);
   std::vector<float> stretch;
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -142,16 +142,16 @@ AsymmetryMeasures
 findAsymmetry(const LandmarkSurface& landmarks, const Eigen::MatrixXf& curvature, const SampleMap& map)
 {
   constexpr int rounds = 3;
-  constexpr double most = 0.97;
-  AsymmetryMeasures signs;
+  constexpr double worst_places = 0.97;
+  AsymmetryMeasures measures;
   const std::vector<float> torn = stretchAtLandmarks(landmarks, map);
-  signs.concentration = (quantile(torn, 0.99) + tiny) / (quantile(torn, 0.5) + tiny);
-  const SampleMap relaxed = settledMap(landmarks, relaxedMap(landmarks, map), rounds);
-  signs.stretch = quantile(stretchAround(landmarks, relaxed), most);
-  signs.average_distance = quantile(averageDistanceChanges(landmarks, map), most);
-  signs.involution = meanReturnError(landmarks, relaxed);
-  signs.curvature = quantile(curvatureChangeAround(landmarks, curvature, map), 0.5);
-  return signs;
+  measures.concentration = (quantile(torn, 0.99) + tiny) / (quantile(torn, 0.5) + tiny);
+  const SampleMap relaxed = refittedMap(landmarks, relaxedMap(landmarks, map), rounds);
+  measures.stretch = quantile(stretchAround(landmarks, relaxed), worst_places);
+  measures.average_distance = quantile(averageDistanceChanges(landmarks, map), worst_places);
+  measures.involution = meanReturnError(landmarks, relaxed);
+  measures.curvature = quantile(curvatureChangeAround(landmarks, curvature, map), 0.5);
+  return measures;
 }
 
 } // namespace symmetry

@@ -148,15 +148,13 @@ bestTrustedMap(const std::vector<RatedMap>& maps, float least)
 }
 
 std::vector<float>
-pointConfidences(const LandmarkSurface& landmarks,
-                 const CoarseSurface& coarse,
-                 const SampleMap& map,
-                 const SampleInterpolation& interpolation,
-                 float map_confidence)
+pointConfidences(const SampledSurface& sampled, const SampleMap& map, float map_confidence)
 {
   constexpr float tolerance = 0.05F;
-  constexpr std::size_t most_probes = 200;
-  const std::size_t probes = std::min(most_probes, landmarks.size());
+  constexpr std::size_t maximum_probes = 200;
+  const LandmarkSurface& landmarks = sampled.landmarks;
+  const SampleInterpolation& interpolation = sampled.interpolation;
+  const std::size_t probes = std::min(maximum_probes, landmarks.size());
   std::vector<float> change_at_landmark(landmarks.size(), 0.0F);
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -168,8 +166,8 @@ pointConfidences(const LandmarkSurface& landmarks,
     }
     change_at_landmark[i] /= static_cast<float>(probes) * landmarks.diameter * tolerance;
   }
-  std::vector<float> change(coarse.size());
-  for (std::size_t i = 0; i < coarse.size(); ++i) {
+  std::vector<float> change(sampled.coarse.size());
+  for (std::size_t i = 0; i < sampled.coarse.size(); ++i) {
     change[i] = change_at_landmark[landmarks.nearest_landmark[i]];
   }
   std::vector<float> confidences(interpolation.offsets.size() - 1);

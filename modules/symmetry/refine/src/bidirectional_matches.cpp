@@ -29,9 +29,9 @@ spacingAtSamples(const CoarseSurface& coarse)
 
 } // namespace
 
-PlaceMatches::PlaceMatches(const PreparedSurface& surface,
-                           const CoarseSurface& coarse,
-                           const std::vector<Index>& partners)
+BidirectionalMatches::BidirectionalMatches(const PreparedSurface& surface,
+                                           const CoarseSurface& coarse,
+                                           const std::vector<Index>& partners)
     : surface_(surface), coarse_(coarse), offsets_(coarse.size() + 1, 0), spacing_(spacingAtSamples(coarse))
 {
   const std::vector<Index>& owner = coarse.cells.owner;
@@ -50,7 +50,7 @@ PlaceMatches::PlaceMatches(const PreparedSurface& surface,
 }
 
 Vector3
-PlaceMatches::imageOf(Index point) const
+BidirectionalMatches::imageOf(Index point) const
 {
   const Vector3& position = surface_.points[point];
   const Index home = coarse_.cells.owner[point];

@@ -9,19 +9,19 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-/** One end of a body and the image that a map has of it. */
-class BodyEnd {
+/** An extreme point, what is around it, and the image that a map has of that. */
+class Extremity {
 public:
-  BodyEnd(const PreparedSurface& surface,
-          const CoarseSurface& coarse,
-          const PatchFitting& fitting,
-          Index tip,
-          float radius,
-          const std::vector<Index>& partners)
+  Extremity(const PreparedSurface& surface,
+            const CoarseSurface& coarse,
+            const PatchFitting& fitting,
+            Index point,
+            float radius,
+            const std::vector<Index>& partners)
       : coarse_(coarse),
         fitting_(fitting),
-        tip_(tip),
-        patch_(patchAround(coarse, tip, radius)),
+        point_(point),
+        patch_(patchAround(coarse, point, radius)),
         by_map_(fitting.byMap(patch_, surface, partners))
   {
   }
@@ -29,8 +29,8 @@ public:
   bool
   isLargeEnough() const
   {
-    constexpr std::size_t fewest = 12;
-    return patch_.size() >= fewest;
+    constexpr std::size_t minimum_samples = 12;
+    return patch_.size() >= minimum_samples;
   }
 
   const SurfacePatch&
@@ -57,7 +57,7 @@ public:
       total += member.weight;
     }
     middle = (1.0F / total) * middle;
-    const Vector3 axis = normalized(placement.reflection.turned(coarse_.points[tip_] - middle));
+    const Vector3 axis = normalized(placement.reflection.turned(coarse_.points[point_] - middle));
     const Vector3 centre = placement.reflection(middle);
     const Eigen::Vector3f c(centre[0], centre[1], centre[2]);
     const Eigen::Matrix3f turn =
@@ -71,26 +71,27 @@ public:
 private:
   const CoarseSurface& coarse_;
   const PatchFitting& fitting_;
-  Index tip_;
+  Index point_;
   SurfacePatch patch_;
   RigidReflection by_map_;
 };
 
-/** Whether an end fits clearly better after some turn of its image. \param[out] better that one */
+/** Whether an extremity fits clearly better after some turn of its image. \param[out] better that one */
 bool
-findBetterTurn(const BodyEnd& end, PatchPlacement& better)
+findBetterTurn(const Extremity& extremity, PatchPlacement& better)
 {
-  constexpr float well = 0.02F;
-  constexpr float clearly = 0.6F;
+  constexpr float good_misfit = 0.02F;
+  constexpr float clear_gain = 0.6F;
   constexpr int turns = 8;
-  const PatchPlacement present = end.present();
-  if (present.misfit < well) {
+  const PatchPlacement present = extremity.present();
+  if (present.misfit < good_misfit) {
     return false;
   }
-  better.misfit = clearly * present.misfit;
+  better.misfit = clear_gain * present.misfit;
   bool is_found = false;
   for (int k = 1; k < turns; ++k) {
-    const PatchPlacement turned = end.turned(present, static_cast<float>(k) * 6.2831853F / static_cast<float>(turns));
+    const PatchPlacement turned =
+        extremity.turned(present, static_cast<float>(k) * 6.2831853F / static_cast<float>(turns));
     if (turned.misfit < better.misfit) {
       better = turned;
       is_found = true;
@@ -102,22 +103,21 @@ findBetterTurn(const BodyEnd& end, PatchPlacement& better)
 } // namespace
 
 std::size_t
-turnParts(const PreparedSurface& surface,
-          const CoarseSurface& coarse,
-          const PatchFitting& fitting,
-          const std::vector<Index>& tips,
-          float radius,
-          std::vector<Index>& partners,
-          unsigned threads)
+rotateExtremities(const SampledSurface& sampled,
+                  const PatchFitting& fitting,
+                  const std::vector<Index>& extremities,
+                  float radius,
+                  std::vector<Index>& partners)
 {
-  std::vector<std::vector<std::pair<Index, Index>>> moved(tips.size());
-  parallelFor(tips.size(), threads, [&](std::size_t k) {
-    const BodyEnd end(surface, coarse, fitting, tips[k], radius, partners);
+  const CoarseSurface& coarse = sampled.coarse;
+  std::vector<std::vector<std::pair<Index, Index>>> moved(extremities.size());
+  parallelFor(extremities.size(), sampled.threads, [&](std::size_t k) {
+    const Extremity extremity(sampled.surface, coarse, fitting, extremities[k], radius, partners);
     PatchPlacement better;
-    if (!end.isLargeEnough() || !findBetterTurn(end, better)) {
+    if (!extremity.isLargeEnough() || !findBetterTurn(extremity, better)) {
       return;
     }
-    for (const PatchMember& member : end.patch()) {
+    for (const PatchMember& member : extremity.patch()) {
       const RigidReflection& reflection = better.reflection;
       const Index image = fitting.nearestFacing(reflection(coarse.points[member.sample]),
                                                 reflection.turned(coarse.normals[member.sample]));
@@ -127,11 +127,11 @@ turnParts(const PreparedSurface& surface,
     }
   });
   std::size_t turned = 0;
-  for (const auto& end : moved) {
-    for (const auto& [sample, partner] : end) {
+  for (const auto& matches : moved) {
+    for (const auto& [sample, partner] : matches) {
       partners[sample] = partner;
     }
-    turned += end.empty() ? 0U : 1U;
+    turned += matches.empty() ? 0U : 1U;
   }
   return turned;
 }

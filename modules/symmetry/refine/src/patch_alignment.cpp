@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/vector_math.h"
+#include "symmetry/refine/point_map.h"
 #include "symmetry/samples/greedy_descent.h"
 
 #include <algorithm>
@@ -33,52 +34,47 @@ withinTwoSteps(const SurfaceGraph& graph, Index cell)
 
 } // namespace
 
-PatchAlignment::PatchAlignment(const PreparedSurface& surface,
-                               const CoarseSurface& coarse,
-                               const CellMembers& members,
-                               float diameter,
-                               const PatchSize& size,
-                               unsigned threads)
-    : surface_(surface),
-      coarse_(coarse),
-      members_(members),
-      diameter_(diameter),
-      spacing_(sampleSpacing(coarse)),
-      patches_(std::min(size.patches, coarse.size())),
-      surroundings_(coarse.size())
+PatchAlignment::PatchAlignment(const SampledSurface& sampled, const PatchSize& size)
+    : sampled_(sampled),
+      surface_(sampled.surface),
+      coarse_(sampled.coarse),
+      spacing_(sampleSpacing(sampled.coarse)),
+      patches_(std::min(size.patches, sampled.coarse.size())),
+      surroundings_(sampled.coarse.size())
 {
+  const float radius = size.radius * sampled.landmarks.diameter;
   parallelFor(
-      patches_.size(), threads,
-      [&](std::size_t k) { patches_[k] = patchAround(coarse, static_cast<Index>(k), size.radius * diameter); }, 8);
+      patches_.size(), sampled.threads,
+      [&](std::size_t k) { patches_[k] = patchAround(coarse_, static_cast<Index>(k), radius); }, 8);
   parallelFor(
-      coarse.size(), threads,
-      [&](std::size_t i) { surroundings_[i] = withinTwoSteps(coarse.graph, static_cast<Index>(i)); }, 32);
+      coarse_.size(), sampled.threads,
+      [&](std::size_t i) { surroundings_[i] = withinTwoSteps(coarse_.graph, static_cast<Index>(i)); }, 32);
 }
 
 std::vector<Index>
-PatchAlignment::align(std::vector<Index> partners, int rounds, unsigned threads) const
+PatchAlignment::align(std::vector<Index> partners, int rounds) const
 {
   for (int round = 0; round < rounds; ++round) {
-    const std::vector<WantedPlace> wanted = wantedPlaces(partners, threads);
+    const std::vector<WantedPlace> wanted = wantedPlaces(partners);
     parallelFor(
-        coarse_.size(), threads,
+        coarse_.size(), sampled_.threads,
         [&](std::size_t i) {
           if (wanted[i].weight > 0.0F) {
             partners[i] = nearestFacing(partners[i], wanted[i]);
           }
         },
         32);
-    partners = mutualPartners(surface_, coarse_, members_, std::move(partners), 1, threads);
+    partners = mutualPartners(sampled_, std::move(partners), 1);
   }
   return partners;
 }
 
 std::vector<PatchFit>
-PatchAlignment::fits(const std::vector<Index>& partners, unsigned threads) const
+PatchAlignment::fits(const std::vector<Index>& partners) const
 {
   std::vector<PatchFit> fits(patches_.size());
   parallelFor(
-      fits.size(), threads,
+      fits.size(), sampled_.threads,
       [&](std::size_t k) {
         const std::vector<OrientedMatch> matches = matchesOf(patches_[k], partners);
         const RigidReflection reflection = fitReflection(matches, 2.0F * spacing_);
@@ -88,7 +84,7 @@ PatchAlignment::fits(const std::vector<Index>& partners, unsigned threads) const
           turn += match.weight * (1.0F - dot(reflection.turned(match.from_normal), match.to_normal));
           total += match.weight;
         }
-        fits[k] = {std::sqrt(reflection.error) / diameter_, turn / total};
+        fits[k] = {std::sqrt(reflection.error) / sampled_.landmarks.diameter, turn / total};
       },
       8);
   return fits;
@@ -121,11 +117,11 @@ PatchAlignment::matchesOf(const SurfacePatch& patch, const std::vector<Index>& p
 }
 
 std::vector<PatchAlignment::WantedPlace>
-PatchAlignment::wantedPlaces(const std::vector<Index>& partners, unsigned threads) const
+PatchAlignment::wantedPlaces(const std::vector<Index>& partners) const
 {
   std::vector<RigidReflection> reflections(patches_.size());
   parallelFor(
-      patches_.size(), threads,
+      patches_.size(), sampled_.threads,
       [&](std::size_t k) { reflections[k] = fitReflection(matchesOf(patches_[k], partners), 2.0F * spacing_); }, 8);
   const float best_error = 0.06F * spacing_ * spacing_; // no fit is trusted beyond the precision of the samples
   std::vector<WantedPlace> wanted(coarse_.size());
@@ -160,11 +156,11 @@ PatchAlignment::nearestFacing(Index partner, const WantedPlace& wanted) const
   Index best = partner;
   float least = std::numeric_limits<float>::infinity();
   for (const Index cell : surroundings_[coarse_.cells.owner[partner]]) {
-    for (std::uint32_t e = members_.offsets[cell]; e < members_.offsets[cell + 1]; ++e) {
-      const float here = cost(members_.points[e]);
+    for (std::uint32_t e = sampled_.probes.offsets[cell]; e < sampled_.probes.offsets[cell + 1]; ++e) {
+      const float here = cost(sampled_.probes.points[e]);
       if (here < least) {
         least = here;
-        best = members_.points[e];
+        best = sampled_.probes.points[e];
       }
     }
   }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace pcl {
 namespace symmetry {
@@ -33,18 +32,16 @@ struct CellProbes {
 };
 
 CellProbes
-probeCells(const SampleInterpolation& interpolation,
-           const CellMembers& members,
-           const RowMatrix& functions,
-           unsigned threads)
+probeCells(const SampledSurface& sampled, const RowMatrix& functions)
 {
+  const SampleInterpolation& interpolation = sampled.interpolation;
   // In a dense cell a part of the points is enough: the fit of the points around averages what is lost.
-  constexpr std::uint32_t most_per_cell = 48;
-  CellProbes probes{thinnedMembers(members, most_per_cell), {}};
+  constexpr std::uint32_t maximum_per_cell = 48;
+  CellProbes probes{thinnedMembers(sampled.members, maximum_per_cell), {}};
   const std::vector<Index>& points = probes.members.points;
   probes.functions.setZero(static_cast<Eigen::Index>(points.size()), functions.cols());
   parallelFor(
-      points.size(), threads,
+      points.size(), sampled.threads,
       [&](std::size_t p) {
         auto row = probes.functions.row(static_cast<Eigen::Index>(p));
         const Index point = points[p];
@@ -58,11 +55,10 @@ probeCells(const SampleInterpolation& interpolation,
 
 /** The point nearest to a position: the nearest member of the given cells, and from there on over the surface. */
 Index
-nearestPoint(const PreparedSurface& surface,
-             const CellMembers& members,
-             const std::vector<Index>& cells,
-             const Vector3& position)
+nearestPoint(const SampledSurface& sampled, const std::vector<Index>& cells, const Vector3& position)
 {
+  const PreparedSurface& surface = sampled.surface;
+  const CellMembers& members = sampled.probes;
   const auto cost = [&](Index v) {
     const Vector3 offset = surface.points[v] - position;
     return dot(offset, offset);
@@ -83,54 +79,16 @@ nearestPoint(const PreparedSurface& surface,
 
 } // namespace
 
-CellMembers
-membersOfCells(const CoarseSurface& coarse)
-{
-  CellMembers members;
-  members.offsets.assign(coarse.size() + 1, 0);
-  for (const Index owner : coarse.cells.owner) {
-    ++members.offsets[owner + 1];
-  }
-  std::partial_sum(members.offsets.begin(), members.offsets.end(), members.offsets.begin());
-  members.points.resize(coarse.cells.owner.size());
-  std::vector<std::uint32_t> next(members.offsets.begin(), members.offsets.end() - 1);
-  for (std::size_t v = 0; v < coarse.cells.owner.size(); ++v) {
-    members.points[next[coarse.cells.owner[v]]++] = static_cast<Index>(v);
-  }
-  return members;
-}
-
-CellMembers
-thinnedMembers(const CellMembers& members, std::uint32_t most_per_cell)
-{
-  CellMembers thinned;
-  thinned.offsets.push_back(0);
-  for (std::size_t cell = 0; cell + 1 < members.offsets.size(); ++cell) {
-    const std::uint32_t size = members.offsets[cell + 1] - members.offsets[cell];
-    const std::uint32_t step = std::max(1U, (size + most_per_cell - 1) / most_per_cell);
-    for (std::uint32_t e = members.offsets[cell]; e < members.offsets[cell + 1]; e += step) {
-      thinned.points.push_back(members.points[e]);
-    }
-    thinned.offsets.push_back(static_cast<std::uint32_t>(thinned.points.size()));
-  }
-  return thinned;
-}
-
 std::vector<Index>
-partnersOfSamples(const CoarseSurface& coarse,
-                  const LaplacianBasis& basis,
-                  const SampleInterpolation& interpolation,
-                  const CellMembers& members,
-                  const SampleMap& map,
-                  const Eigen::MatrixXf& matrix,
-                  unsigned threads)
+partnersOfSamples(const SampledSurface& sampled, const SampleMap& map, const Eigen::MatrixXf& matrix)
 {
-  const Eigen::MatrixXf functions = basis.functions.leftCols(matrix.cols());
+  const CoarseSurface& coarse = sampled.coarse;
+  const Eigen::MatrixXf functions = sampled.basis.functions.leftCols(matrix.cols());
   const RowMatrix wanted = functions * matrix;
-  const CellProbes probes = probeCells(interpolation, members, functions, threads);
+  const CellProbes probes = probeCells(sampled, functions);
   std::vector<Index> partners(coarse.size());
   parallelFor(
-      coarse.size(), threads,
+      coarse.size(), sampled.threads,
       [&](std::size_t i) {
         float least = std::numeric_limits<float>::infinity();
         for (const Index cell : cellAndNeighbours(coarse.graph, map[i])) {
@@ -148,21 +106,17 @@ partnersOfSamples(const CoarseSurface& coarse,
 }
 
 std::vector<Index>
-mutualPartners(const PreparedSurface& surface,
-               const CoarseSurface& coarse,
-               const CellMembers& members,
-               std::vector<Index> sample_partners,
-               int rounds,
-               unsigned threads)
+mutualPartners(const SampledSurface& sampled, std::vector<Index> sample_partners, int rounds)
 {
+  const CoarseSurface& coarse = sampled.coarse;
   for (int round = 0; round < rounds; ++round) {
-    const PlaceMatches matches(surface, coarse, sample_partners);
+    const BidirectionalMatches matches(sampled.surface, coarse, sample_partners);
     parallelFor(
-        coarse.size(), threads,
+        coarse.size(), sampled.threads,
         [&](std::size_t i) {
           const Index home = coarse.cells.owner[sample_partners[i]];
-          sample_partners[i] = nearestPoint(surface, members, cellAndNeighbours(coarse.graph, home),
-                                            matches.imageOf(coarse.cells.vertices[i]));
+          sample_partners[i] =
+              nearestPoint(sampled, cellAndNeighbours(coarse.graph, home), matches.imageOf(coarse.cells.vertices[i]));
         },
         64);
   }
@@ -170,20 +124,17 @@ mutualPartners(const PreparedSurface& surface,
 }
 
 std::vector<Index>
-partnersOfPoints(const PreparedSurface& surface,
-                 const CoarseSurface& coarse,
-                 const CellMembers& members,
-                 const std::vector<Index>& sample_partners,
-                 unsigned threads)
+partnersOfPoints(const SampledSurface& sampled, const std::vector<Index>& sample_partners)
 {
-  const PlaceMatches matches(surface, coarse, sample_partners);
-  std::vector<Index> partners(surface.size());
+  const CoarseSurface& coarse = sampled.coarse;
+  const BidirectionalMatches matches(sampled.surface, coarse, sample_partners);
+  std::vector<Index> partners(sampled.surface.size());
   parallelFor(
-      surface.size(), threads,
+      partners.size(), sampled.threads,
       [&](std::size_t v) {
         const Index home = coarse.cells.owner[sample_partners[coarse.cells.owner[v]]];
-        partners[v] = nearestPoint(surface, members, cellAndNeighbours(coarse.graph, home),
-                                   matches.imageOf(static_cast<Index>(v)));
+        partners[v] =
+            nearestPoint(sampled, cellAndNeighbours(coarse.graph, home), matches.imageOf(static_cast<Index>(v)));
       },
       256);
   return partners;

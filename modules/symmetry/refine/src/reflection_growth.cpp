@@ -25,37 +25,33 @@ inverseOf(const RigidReflection& reflection)
 /** Patches with their reflections, some of which are replaced by those of others. */
 class ReflectionGrowth {
 public:
-  ReflectionGrowth(const CoarseSurface& coarse,
-                   const PatchFitting& fitting,
-                   float radius,
-                   const GrowthSettings& settings,
-                   unsigned threads)
-      : coarse_(coarse),
+  ReflectionGrowth(const SampledSurface& sampled, const PatchFitting& fitting, const GrowthSettings& settings)
+      : sampled_(sampled),
+        coarse_(sampled.coarse),
         fitting_(fitting),
         settings_(settings),
-        threads_(threads),
-        radius_(radius),
-        patches_(std::min(settings.patches, coarse.size())),
+        radius_(settings.radius * sampled.landmarks.diameter),
+        patches_(std::min(settings.patches, coarse_.size())),
         placements_(patches_.size()),
         has_grown_(patches_.size(), 0),
         refusals_(patches_.size(), 0),
-        centres_(std::vector<Vector3>(coarse.points.begin(),
-                                      coarse.points.begin() + static_cast<std::ptrdiff_t>(patches_.size())),
-                 0.5F * radius)
+        centres_(std::vector<Vector3>(coarse_.points.begin(),
+                                      coarse_.points.begin() + static_cast<std::ptrdiff_t>(patches_.size())),
+                 0.5F * radius_)
   {
     parallelFor(
-        patches_.size(), threads,
-        [&](std::size_t k) { patches_[k] = patchAround(coarse, static_cast<Index>(k), radius_); }, 8);
+        patches_.size(), sampled.threads,
+        [&](std::size_t k) { patches_[k] = patchAround(coarse_, static_cast<Index>(k), radius_); }, 8);
   }
 
   /** Gives each patch the reflection that a map has there. */
   void
-  start(const PreparedSurface& surface, const std::vector<Index>& partners)
+  start(const std::vector<Index>& partners)
   {
     parallelFor(
-        patches_.size(), threads_,
+        patches_.size(), sampled_.threads,
         [&](std::size_t k) {
-          const RigidReflection reflection = fitting_.byMap(patches_[k], surface, partners);
+          const RigidReflection reflection = fitting_.byMap(patches_[k], sampled_.surface, partners);
           placements_[k] = fitting_.settled(patches_[k], reflection, 1.0F, settings_.well);
         },
         4);
@@ -92,7 +88,7 @@ public:
   {
     const std::vector<Index> patch_of = mostTrusted();
     parallelFor(
-        coarse_.size(), threads_,
+        coarse_.size(), sampled_.threads,
         [&](std::size_t i) {
           const Index k = patch_of[i];
           if (k == no_index || has_grown_[k] == 0) {
@@ -113,9 +109,9 @@ private:
   bool
   offer(Index patch, const PatchPlacement& other)
   {
-    constexpr int most_refusals = 8; // the first offers come from what fits best
+    constexpr int maximum_refusals = 8; // the first offers come from what fits best
     const auto j = static_cast<std::size_t>(patch);
-    if (j >= patches_.size() || placements_[j].misfit < settings_.well || refusals_[j] >= most_refusals) {
+    if (j >= patches_.size() || placements_[j].misfit < settings_.well || refusals_[j] >= maximum_refusals) {
       return false;
     }
     const float limit = settings_.clearly * placements_[j].misfit;
@@ -165,10 +161,10 @@ private:
 
   using Entry = std::pair<float, std::size_t>; // misfit, patch
 
+  const SampledSurface& sampled_;
   const CoarseSurface& coarse_;
   const PatchFitting& fitting_;
   const GrowthSettings& settings_;
-  unsigned threads_;
   float radius_;
   std::vector<SurfacePatch> patches_;
   std::vector<PatchPlacement> placements_;
@@ -181,19 +177,16 @@ private:
 } // namespace
 
 std::size_t
-growReflections(const PreparedSurface& surface,
-                const CoarseSurface& coarse,
+growReflections(const SampledSurface& sampled,
                 const PatchFitting& fitting,
-                float diameter,
                 const GrowthSettings& settings,
-                std::vector<Index>& partners,
-                unsigned threads)
+                std::vector<Index>& partners)
 {
   if (settings.patches == 0) {
     return 0;
   }
-  ReflectionGrowth growth(coarse, fitting, settings.radius * diameter, settings, threads);
-  growth.start(surface, partners);
+  ReflectionGrowth growth(sampled, fitting, settings);
+  growth.start(partners);
   const std::size_t replaced = growth.spread();
   growth.movePartners(partners);
   return replaced;

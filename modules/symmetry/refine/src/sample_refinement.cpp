@@ -2,6 +2,7 @@
 
 #include "base/statistics.h"
 #include "symmetry/refine/extremity_rotations.h"
+#include "symmetry/refine/point_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +11,6 @@
 namespace pcl {
 namespace symmetry {
 namespace {
-
-ShapeDescriptor
-describeGuide(const CoarseSurface& coarse, const LaplacianBasis& basis, int dimensions)
-{
-  DescriptorWeights weights;
-  weights.oriented_dimensions = dimensions;
-  return describeShape(coarse, basis, dimensions, weights);
-}
 
 /** The image of every landmark among the landmarks. */
 SampleMap
@@ -44,10 +37,10 @@ meanOf(const std::vector<PatchFit>& fits)
 float
 worstDistance(const std::vector<PatchFit>& fits)
 {
-  constexpr double most = 0.98;
+  constexpr double nearly_all = 0.98;
   std::vector<float> distances(fits.size());
   std::transform(fits.begin(), fits.end(), distances.begin(), [](const PatchFit& fit) { return fit.distance; });
-  return quantile(std::move(distances), most);
+  return quantile(std::move(distances), nearly_all);
 }
 
 /** Logarithm of the misfit of the patches. Normals tell more than distances: on a smooth body a wrong patch lies close
@@ -62,48 +55,39 @@ logMisfit(const PatchFit& fit)
 
 } // namespace
 
-SampleRefinement::SampleRefinement(const PreparedSurface& surface,
-                                   const CoarseSurface& coarse,
-                                   const LaplacianBasis& basis,
-                                   const LandmarkSurface& landmarks,
-                                   const SampleInterpolation& interpolation,
-                                   const CellMembers& members,
-                                   const RefinementSettings& settings,
-                                   unsigned threads)
-    : surface_(surface),
-      coarse_(coarse),
-      basis_(basis),
-      landmarks_(landmarks),
-      interpolation_(interpolation),
-      members_(members),
-      probes_(thinnedMembers(members, settings.probes)),
+SampleRefinement::SampleRefinement(const SampledSurface& sampled, const RefinementSettings& settings)
+    : sampled_(sampled),
       settings_(settings),
-      threads_(threads),
-      fitting_(coarse),
-      guide_(describeGuide(coarse, basis, settings.guide_dimensions)),
-      upward_(basis.functions, guide_, static_cast<Eigen::Index>(coarse.size()), settings.levels, settings.guidance)
+      fitting_(sampled.coarse),
+      guide_(describeShape(sampled.coarse, sampled.basis, settings.guide.oriented_dimensions, settings.guide)),
+      upward_(sampled.basis.functions,
+              guide_,
+              static_cast<Eigen::Index>(sampled.coarse.size()),
+              settings.levels,
+              settings.guidance)
 {
   for (const PatchSize& size : settings.patches) {
-    alignments_.emplace_back(surface, coarse, probes_, landmarks.diameter, size, threads);
+    alignments_.emplace_back(sampled, size);
   }
 }
 
 std::vector<Index>
 SampleRefinement::spectralPartners(const SymmetryCandidate& candidate) const
 {
-  const Eigen::MatrixXf functions = basis_.functions.leftCols(candidate.matrix.cols());
-  SampleMap map = nearestRows(functions * candidate.matrix, functions, threads_);
-  const Eigen::MatrixXf matrix = upward_.refine(map, threads_);
-  return partnersOfSamples(coarse_, basis_, interpolation_, members_, map, matrix, threads_);
+  const Eigen::MatrixXf functions = sampled_.basis.functions.leftCols(candidate.matrix.cols());
+  SampleMap map = nearestRows(functions * candidate.matrix, functions, sampled_.threads);
+  const Eigen::MatrixXf matrix = upward_.refine(map, sampled_.threads);
+  return partnersOfSamples(sampled_, map, matrix);
 }
 
 void
-SampleRefinement::turnEnds(std::vector<Index>& partners) const
+SampleRefinement::rotateExtremitiesOf(std::vector<Index>& partners) const
 {
-  constexpr std::size_t most = 16;
-  const std::vector<Index> tips = extremitiesOf(landmarks_, settings_.end_separation, most);
-  for (const float radius : settings_.end_radii) {
-    turnParts(surface_, coarse_, fitting_, tips, radius * landmarks_.diameter, partners, threads_);
+  constexpr std::size_t maximum_extremities = 16;
+  const std::vector<Index> extremities =
+      extremitiesOf(sampled_.landmarks, settings_.extremity_separation, maximum_extremities);
+  for (const float radius : settings_.extremity_radii) {
+    rotateExtremities(sampled_, fitting_, extremities, radius * sampled_.landmarks.diameter, partners);
   }
 }
 
@@ -115,23 +99,24 @@ SampleRefinement::refine(const SymmetryCandidate& candidate) const
   partners = spectralPartners(candidate);
   bool is_roughly_in_place = false;
   for (const PatchAlignment& alignment : alignments_) {
-    partners = alignment.align(std::move(partners), settings_.patch_rounds, threads_);
+    partners = alignment.align(std::move(partners), settings_.patch_rounds);
     if (!is_roughly_in_place) {
       // The smaller patches then smooth what this tears.
-      turnEnds(partners);
-      growReflections(surface_, coarse_, fitting_, landmarks_.diameter, settings_.growth, partners, threads_);
+      rotateExtremitiesOf(partners);
+      growReflections(sampled_, fitting_, settings_.growth, partners);
       is_roughly_in_place = true;
     }
   }
-  partners = mutualPartners(surface_, coarse_, probes_, std::move(partners), settings_.mutual_rounds, threads_);
+  partners = mutualPartners(sampled_, std::move(partners), settings_.mutual_rounds);
   for (const Index partner : partners) {
-    estimate.map.push_back(coarse_.cells.owner[partner]);
+    estimate.map.push_back(sampled_.coarse.cells.owner[partner]);
   }
-  estimate.landmark_map = mapOfLandmarks(landmarks_, estimate.map);
-  estimate.score = scoreMap(landmarks_, guide_, estimate.landmark_map, settings_.score_queries, settings_.score);
+  estimate.landmark_map = mapOfLandmarks(sampled_.landmarks, estimate.map);
+  estimate.score =
+      scoreMap(sampled_.landmarks, guide_, estimate.landmark_map, settings_.score_queries, settings_.score);
   estimate.value = estimate.score.value;
   if (!alignments_.empty()) {
-    const std::vector<PatchFit> fits = alignments_.back().fits(partners, threads_);
+    const std::vector<PatchFit> fits = alignments_.back().fits(partners);
     estimate.fit = meanOf(fits);
     estimate.worst_distance = worstDistance(fits);
     estimate.value += settings_.fit * logMisfit(estimate.fit);

@@ -12,7 +12,7 @@ namespace {
 
 /** Nearest landmark of every sample; ties go to the lower landmark. */
 std::vector<Index>
-nearestLandmarks(const DistanceFields& fields)
+nearestOfSamples(const DistanceFields& fields)
 {
   std::vector<Index> nearest(fields.columns, 0);
   for (std::size_t i = 1; i < fields.rows(); ++i) {
@@ -65,6 +65,27 @@ comparableLandmarks(const LandmarkSurface& landmarks, const std::vector<Index>& 
   return comparable;
 }
 
+std::vector<std::vector<Index>>
+nearestLandmarks(const Eigen::MatrixXf& distances, std::size_t count)
+{
+  const auto landmarks = static_cast<std::size_t>(distances.cols());
+  std::vector<std::vector<Index>> nearest(landmarks);
+  std::vector<Index> order(landmarks);
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t i = 0; i < landmarks; ++i) {
+    const auto from = distances.col(static_cast<Eigen::Index>(i));
+    const auto comes_before = [&](Index a, Index b) {
+      return from(a) < from(b) || (from(a) == from(b) && a < b);
+    };
+    std::vector<Index> others = order;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto end = others.begin() + static_cast<std::ptrdiff_t>(std::min(count, others.size()));
+    std::partial_sort(others.begin(), end, others.end(), comes_before);
+    nearest[i].assign(others.begin(), end);
+  }
+  return nearest;
+}
+
 LandmarkSurface
 makeLandmarkSurface(const CoarseSurface& surface, std::size_t landmarks, Metric metric, unsigned threads)
 {
@@ -91,7 +112,8 @@ makeLandmarkSurface(const CoarseSurface& surface, std::size_t landmarks, Metric 
   result.points.assign(surface.points.begin(), surface.points.begin() + n);
   result.normals.assign(surface.normals.begin(), surface.normals.begin() + n);
   result.at_hole.assign(surface.at_hole.begin(), surface.at_hole.begin() + n);
-  result.nearest_landmark = nearestLandmarks(fields);
+  result.nearest_landmark = nearestOfSamples(fields);
+  result.nearest = nearestLandmarks(result.distances);
   result.triangles = dualTriangles(surface.triangles, result.nearest_landmark);
   const Eigen::VectorXf mean = result.distances.rowwise().mean();
   result.average_distance.assign(mean.data(), mean.data() + n);

@@ -12,6 +12,32 @@ namespace symmetry {
 namespace {
 
 constexpr std::size_t placement_neighbours = 24;
+static_assert(placement_neighbours <= kept_nearest_landmarks);
+
+/** The first few landmarks around one. */
+class Around {
+public:
+  Around(const LandmarkSurface& landmarks, Index landmark, std::size_t count)
+      : nearest_(landmarks.nearest[landmark]), count_(std::min(count, nearest_.size()))
+  {
+  }
+
+  std::vector<Index>::const_iterator
+  begin() const
+  {
+    return nearest_.begin();
+  }
+
+  std::vector<Index>::const_iterator
+  end() const
+  {
+    return nearest_.begin() + static_cast<std::ptrdiff_t>(count_);
+  }
+
+private:
+  const std::vector<Index>& nearest_;
+  std::size_t count_;
+};
 
 /** Area of a triangle of landmarks, doubled, and how much of it the map turns over: all, or none (the negative). */
 struct TurnedTriangle {
@@ -51,7 +77,7 @@ trianglesWithinTwoSteps(const LandmarkSurface& landmarks,
 
 /** Landmarks to be placed anew: where the map clearly keeps the orientation, and the uncertain ones around. */
 std::vector<bool>
-unsoundLandmarks(const std::vector<std::vector<Index>>& nearest, const std::vector<float>& reversal)
+unsoundLandmarks(const LandmarkSurface& landmarks, const std::vector<float>& reversal)
 {
   constexpr float kept = -0.2F;
   constexpr float uncertain = 0.3F;
@@ -64,8 +90,8 @@ unsoundLandmarks(const std::vector<std::vector<Index>>& nearest, const std::vect
   for (int ring = 0; ring < rings; ++ring) {
     const std::vector<bool> inner = unsound;
     for (std::size_t i = 0; i < reversal.size(); ++i) {
-      const auto end = nearest[i].begin() + static_cast<std::ptrdiff_t>(std::min(adjacent, nearest[i].size()));
-      if (reversal[i] < uncertain && std::any_of(nearest[i].begin(), end, [&](Index j) { return inner[j]; })) {
+      const Around around(landmarks, static_cast<Index>(i), adjacent);
+      if (reversal[i] < uncertain && std::any_of(around.begin(), around.end(), [&](Index j) { return inner[j]; })) {
         unsound[i] = true;
       }
     }
@@ -76,27 +102,21 @@ unsoundLandmarks(const std::vector<std::vector<Index>>& nearest, const std::vect
 /** Places landmarks by their distances to those that have a place. */
 class LocalPlacement {
 public:
-  LocalPlacement(const LandmarkSurface& landmarks,
-                 const std::vector<std::vector<Index>>& nearest,
-                 const std::vector<bool>& unsound,
-                 SampleMap map)
-      : landmarks_(landmarks), nearest_(nearest), map_(std::move(map)), placed_(map_.size())
+  LocalPlacement(const LandmarkSurface& landmarks, const std::vector<bool>& unsound, SampleMap map)
+      : landmarks_(landmarks), map_(std::move(map)), placed_(map_.size())
   {
-    constexpr std::size_t most_anchors = 24;
+    constexpr std::size_t maximum_anchors = 24;
     for (std::size_t i = 0; i < map_.size(); ++i) {
       placed_[i] = !unsound[i];
-      if (placed_[i] && anchors_.size() < most_anchors) {
+      if (placed_[i] && anchors_.size() < maximum_anchors) {
         anchors_.push_back(static_cast<Index>(i));
       }
     }
   }
 
   /** Every landmark has a place. */
-  LocalPlacement(const LandmarkSurface& landmarks,
-                 const std::vector<std::vector<Index>>& nearest,
-                 SampleMap map,
-                 std::size_t anchors)
-      : landmarks_(landmarks), nearest_(nearest), map_(std::move(map)), placed_(map_.size(), true)
+  LocalPlacement(const LandmarkSurface& landmarks, SampleMap map, std::size_t anchors)
+      : landmarks_(landmarks), map_(std::move(map)), placed_(map_.size(), true)
   {
     anchors_.resize(std::min(anchors, map_.size()));
     std::iota(anchors_.begin(), anchors_.end(), 0);
@@ -118,7 +138,7 @@ public:
   }
 
   SampleMap
-  settle(int rounds)
+  refit(int rounds)
   {
     std::vector<Index> order(map_.size());
     std::iota(order.begin(), order.end(), 0);
@@ -127,13 +147,20 @@ public:
   }
 
 private:
+  Around
+  placesAround(Index landmark) const
+  {
+    return {landmarks_, landmark, placement_neighbours};
+  }
+
   void
   moveImages(const std::vector<Index>& order, int rounds)
   {
     for (int round = 0; round < rounds; ++round) {
       for (const Index landmark : order) {
-        std::vector<Index> candidates = nearest_[map_[landmark]];
-        candidates.insert(candidates.begin(), map_[landmark]);
+        const Around around = placesAround(map_[landmark]);
+        std::vector<Index> candidates{map_[landmark]};
+        candidates.insert(candidates.end(), around.begin(), around.end());
         map_[landmark] = bestImage(landmark, candidates);
       }
     }
@@ -144,13 +171,13 @@ private:
   mostEnclosed() const
   {
     Index best = no_index;
-    std::ptrdiff_t most = 0;
+    std::ptrdiff_t largest = 0;
     for (std::size_t i = 0; i < map_.size(); ++i) {
       if (!placed_[i]) {
-        const std::ptrdiff_t count =
-            std::count_if(nearest_[i].begin(), nearest_[i].end(), [&](Index j) { return placed_[j]; });
-        if (count > most) {
-          most = count;
+        const Around around = placesAround(static_cast<Index>(i));
+        const std::ptrdiff_t count = std::count_if(around.begin(), around.end(), [&](Index j) { return placed_[j]; });
+        if (count > largest) {
+          largest = count;
           best = static_cast<Index>(i);
         }
       }
@@ -163,9 +190,9 @@ private:
   imagesAround(Index landmark) const
   {
     std::vector<Index> images;
-    for (const Index j : nearest_[landmark]) {
+    for (const Index j : placesAround(landmark)) {
       if (placed_[j]) {
-        const std::vector<Index>& around = nearest_[map_[j]];
+        const Around around = placesAround(map_[j]);
         images.push_back(map_[j]);
         images.insert(images.end(), around.begin(), around.end());
       }
@@ -191,7 +218,7 @@ private:
     float least = std::numeric_limits<float>::infinity();
     for (const Index candidate : candidates) {
       float cost = 0.0F;
-      for (const Index j : nearest_[landmark]) {
+      for (const Index j : placesAround(landmark)) {
         cost += placed_[j] ? changeOf(landmark, candidate, j) : 0.0F;
       }
       for (const Index j : anchors_) {
@@ -206,33 +233,12 @@ private:
   }
 
   const LandmarkSurface& landmarks_;
-  const std::vector<std::vector<Index>>& nearest_;
   SampleMap map_;
   std::vector<bool> placed_;
   std::vector<Index> anchors_; ///< sound landmarks all over the surface
 };
 
 } // namespace
-
-std::vector<std::vector<Index>>
-nearestLandmarks(const LandmarkSurface& landmarks, std::size_t count)
-{
-  std::vector<std::vector<Index>> nearest(landmarks.size());
-  std::vector<Index> order(landmarks.size());
-  std::iota(order.begin(), order.end(), 0);
-  for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    const auto from = landmarks.distances.col(static_cast<Eigen::Index>(i));
-    const auto comes_before = [&](Index a, Index b) {
-      return from(a) < from(b) || (from(a) == from(b) && a < b);
-    };
-    std::vector<Index> others = order;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    const auto end = others.begin() + static_cast<std::ptrdiff_t>(std::min(count, others.size()));
-    std::partial_sort(others.begin(), end, others.end(), comes_before);
-    nearest[i].assign(others.begin(), end);
-  }
-  return nearest;
-}
 
 std::vector<float>
 reversalAtLandmarks(const LandmarkSurface& landmarks, const SampleMap& map)
@@ -261,13 +267,11 @@ reversalAtLandmarks(const LandmarkSurface& landmarks, const SampleMap& map)
 std::vector<float>
 stretchAtLandmarks(const LandmarkSurface& landmarks, const SampleMap& map)
 {
-  constexpr std::size_t around = 30;
-  const std::vector<std::vector<Index>> nearest = nearestLandmarks(landmarks, around);
   std::vector<float> stretch(landmarks.size(), 0.0F);
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     float change = 0.0F;
     float length = 0.0F;
-    for (const Index j : nearest[i]) {
+    for (const Index j : landmarks.nearest[i]) {
       const float wanted = landmarks.distances(static_cast<Eigen::Index>(i), j);
       change += std::abs(wanted - landmarks.distances(map[i], map[j]));
       length += wanted;
@@ -288,29 +292,26 @@ relaxedMap(const LandmarkSurface& landmarks, const SampleMap& map)
   for (std::size_t i = 0; i < map.size(); ++i) {
     torn[i] = stretch[i] > 2.0F * *middle;
   }
-  const std::vector<std::vector<Index>> nearest = nearestLandmarks(landmarks, placement_neighbours);
-  return LocalPlacement(landmarks, nearest, torn, map).run();
+  return LocalPlacement(landmarks, torn, map).run();
 }
 
 SampleMap
-settledMap(const LandmarkSurface& landmarks, SampleMap map, int rounds)
+refittedMap(const LandmarkSurface& landmarks, SampleMap map, int rounds)
 {
   constexpr std::size_t anchors = 48;
-  const std::vector<std::vector<Index>> nearest = nearestLandmarks(landmarks, placement_neighbours);
-  return LocalPlacement(landmarks, nearest, std::move(map), anchors).settle(rounds);
+  return LocalPlacement(landmarks, std::move(map), anchors).refit(rounds);
 }
 
 SampleMap
-repairedMap(const LandmarkSurface& landmarks, const SampleMap& map)
+regrownMap(const LandmarkSurface& landmarks, const SampleMap& map)
 {
   const std::vector<float> reversal = reversalAtLandmarks(landmarks, map);
-  const std::vector<std::vector<Index>> nearest = nearestLandmarks(landmarks, placement_neighbours);
-  const std::vector<bool> unsound = unsoundLandmarks(nearest, reversal);
+  const std::vector<bool> unsound = unsoundLandmarks(landmarks, reversal);
   const auto count = static_cast<std::size_t>(std::count(unsound.begin(), unsound.end(), true));
   if (count == 0 || 2 * count > map.size()) {
     return {};
   }
-  return LocalPlacement(landmarks, nearest, unsound, map).run();
+  return LocalPlacement(landmarks, unsound, map).run();
 }
 
 } // namespace symmetry

@@ -22,14 +22,14 @@ std::vector<SymmetryCandidate>
 keepDistinct(std::vector<SymmetryCandidate> candidates,
              const LandmarkSurface& landmarks,
              float distinct,
-             std::size_t most)
+             std::size_t maximum)
 {
   std::vector<SymmetryCandidate> kept;
   for (SymmetryCandidate& candidate : candidates) {
     const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const SymmetryCandidate& other) {
       return mapDifference(landmarks, candidate.map, other.map) >= distinct;
     });
-    if (is_new && kept.size() < most) {
+    if (is_new && kept.size() < maximum) {
       kept.push_back(std::move(candidate));
     }
   }
@@ -38,17 +38,17 @@ keepDistinct(std::vector<SymmetryCandidate> candidates,
 
 /** Matches a few landmarks under every hypothesis and scores the maps. */
 std::vector<SymmetryCandidate>
-tryHypotheses(const std::vector<SymmetryHypothesis>& hypotheses,
-              const ShapeDescriptor& descriptor,
-              const LandmarkSurface& landmarks,
-              const SearchSettings& settings,
-              unsigned threads)
+tryHypotheses(const SampledSurface& sampled,
+              const std::vector<SymmetryHypothesis>& hypotheses,
+              const SearchSettings& settings)
 {
+  const ShapeDescriptor& descriptor = sampled.descriptor;
+  const LandmarkSurface& landmarks = sampled.landmarks;
   const auto queries = static_cast<Eigen::Index>(std::min(settings.coarse_queries, landmarks.size()));
   const auto targets = static_cast<Eigen::Index>(std::min(settings.coarse_targets, landmarks.size()));
   const RowSearch search(descriptor.joined(targets));
   std::vector<SymmetryCandidate> candidates(hypotheses.size());
-  parallelFor(hypotheses.size(), threads, [&](std::size_t i) {
+  parallelFor(hypotheses.size(), sampled.threads, [&](std::size_t i) {
     SymmetryCandidate& candidate = candidates[i];
     candidate.source = hypotheses[i].source;
     candidate.matrix = hypotheses[i].action;
@@ -61,18 +61,14 @@ tryHypotheses(const std::vector<SymmetryHypothesis>& hypotheses,
 /** Brings candidates up through the eigenfunctions; what it needs to do so is prepared once. */
 class CandidateRefinement {
 public:
-  CandidateRefinement(const CoarseSurface& surface,
-                      const ShapeDescriptor& descriptor,
-                      const LaplacianBasis& basis,
-                      const LandmarkSurface& landmarks,
-                      const SearchSettings& settings)
-      : descriptor_(descriptor),
-        landmarks_(landmarks),
+  CandidateRefinement(const SampledSurface& sampled, const SearchSettings& settings)
+      : descriptor_(sampled.descriptor),
+        landmarks_(sampled.landmarks),
         settings_(settings),
-        guide_(describeShape(surface, basis, settings.guide_dimensions, guideWeights(settings))),
-        targets_(descriptor.joined(count())),
-        refinement_(basis.functions, guide_, count(), settings.levels, settings.guidance),
-        last_step_(basis.functions, guide_, count(), {settings.levels.back()}, settings.guidance)
+        guide_(describeShape(sampled.coarse, sampled.basis, settings.guide.oriented_dimensions, settings.guide)),
+        targets_(sampled.descriptor.joined(count())),
+        refinement_(sampled.basis.functions, guide_, count(), settings.levels, settings.guidance),
+        last_step_(sampled.basis.functions, guide_, count(), {settings.levels.back()}, settings.guidance)
   {
   }
 
@@ -88,7 +84,7 @@ public:
    * that move far and come back. Turns a partial reflection (one pair of limbs swapped, the rest standing still) into a
    * whole one. */
   SymmetryCandidate
-  repaired(const SymmetryCandidate& candidate) const
+  rederived(const SymmetryCandidate& candidate) const
   {
     const std::vector<Index> anchors = reflectedLandmarks(candidate.map);
     Eigen::MatrixXf from(count(), static_cast<Eigen::Index>(anchors.size()));
@@ -107,30 +103,22 @@ public:
   /** Derives anew what the map does not turn over. Only the last step of the refinement follows: the lower ones do not
    * see the parts that this is about. */
   void
-  mend(SymmetryCandidate& candidate) const
+  regrow(SymmetryCandidate& candidate) const
   {
-    SymmetryCandidate mended;
-    mended.source = candidate.source;
-    mended.map = repairedMap(landmarks_, candidate.map);
-    if (mended.map.empty()) {
+    SymmetryCandidate regrown;
+    regrown.source = candidate.source;
+    regrown.map = regrownMap(landmarks_, candidate.map);
+    if (regrown.map.empty()) {
       return;
     }
-    mended.matrix = last_step_.refine(mended.map);
-    mended.score = scoreMap(landmarks_, descriptor_, mended.map, settings_.coarse_targets, settings_.score);
-    if (mended.score.value < candidate.score.value) {
-      candidate = std::move(mended);
+    regrown.matrix = last_step_.refine(regrown.map);
+    regrown.score = scoreMap(landmarks_, descriptor_, regrown.map, settings_.coarse_targets, settings_.score);
+    if (regrown.score.value < candidate.score.value) {
+      candidate = std::move(regrown);
     }
   }
 
 private:
-  static DescriptorWeights
-  guideWeights(const SearchSettings& settings)
-  {
-    DescriptorWeights weights = settings.descriptor;
-    weights.oriented_dimensions = settings.guide_dimensions;
-    return weights;
-  }
-
   Eigen::Index
   count() const
   {
@@ -149,9 +137,9 @@ private:
   {
     constexpr float far = 0.15F;
     constexpr float near = 0.04F;
-    constexpr std::size_t most = 60;
+    constexpr std::size_t maximum_anchors = 60;
     std::vector<Index> anchors;
-    for (std::size_t i = 0; i < map.size() && anchors.size() < most; ++i) {
+    for (std::size_t i = 0; i < map.size() && anchors.size() < maximum_anchors; ++i) {
       const auto landmark = static_cast<Eigen::Index>(i);
       if (landmarks_.distances(landmark, map[i]) > far * landmarks_.diameter &&
           landmarks_.distances(landmark, map[static_cast<std::size_t>(map[i])]) < near * landmarks_.diameter) {
@@ -190,36 +178,31 @@ makeHypotheses(const LandmarkSurface& landmarks,
 } // namespace
 
 std::vector<SymmetryCandidate>
-searchSymmetries(const CoarseSurface& surface,
-                 const LaplacianBasis& basis,
-                 const LandmarkSurface& landmarks,
-                 const SearchSettings& settings,
-                 unsigned threads)
+searchSymmetries(const SampledSurface& sampled, const SearchSettings& settings)
 {
-  constexpr Eigen::Index fewest_functions = 4;
-  if (basis.functions.cols() < fewest_functions || landmarks.diameter <= 0.0F) {
+  if (!sampled.isSearchable()) {
     return {};
   }
-  const ShapeDescriptor descriptor = describeShape(surface, basis, settings.dimensions, settings.descriptor);
-  const auto dimensions = static_cast<int>(descriptor.spectral.cols());
+  const LandmarkSurface& landmarks = sampled.landmarks;
+  const auto dimensions = static_cast<int>(sampled.descriptor.spectral.cols());
   std::vector<SymmetryCandidate> candidates =
-      tryHypotheses(makeHypotheses(landmarks, basis, dimensions, settings), descriptor, landmarks, settings, threads);
+      tryHypotheses(sampled, makeHypotheses(landmarks, sampled.basis, dimensions, settings), settings);
   sortByScore(candidates);
   candidates = keepDistinct(std::move(candidates), landmarks, settings.distinct, settings.refined);
 
-  const CandidateRefinement refinement(surface, descriptor, basis, landmarks, settings);
-  parallelFor(candidates.size(), threads, [&](std::size_t i) { refinement.refine(candidates[i]); });
+  const CandidateRefinement refinement(sampled, settings);
+  parallelFor(candidates.size(), sampled.threads, [&](std::size_t i) { refinement.refine(candidates[i]); });
   sortByScore(candidates);
   candidates = keepDistinct(std::move(candidates), landmarks, settings.distinct, settings.refined);
 
-  const std::size_t repaired = std::min(settings.repaired, candidates.size());
-  candidates.resize(candidates.size() + repaired);
-  parallelFor(repaired, threads, [&](std::size_t i) {
-    candidates[candidates.size() - repaired + i] = refinement.repaired(candidates[i]);
+  const std::size_t rederived = std::min(settings.rederived, candidates.size());
+  candidates.resize(candidates.size() + rederived);
+  parallelFor(rederived, sampled.threads, [&](std::size_t i) {
+    candidates[candidates.size() - rederived + i] = refinement.rederived(candidates[i]);
   });
   sortByScore(candidates);
-  parallelFor(std::min(settings.mended, candidates.size()), threads,
-              [&](std::size_t i) { refinement.mend(candidates[i]); });
+  parallelFor(std::min(settings.regrown, candidates.size()), sampled.threads,
+              [&](std::size_t i) { refinement.regrow(candidates[i]); });
   sortByScore(candidates);
   return keepDistinct(std::move(candidates), landmarks, settings.distinct, settings.refined);
 }

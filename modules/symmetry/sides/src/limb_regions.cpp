@@ -45,7 +45,7 @@ swappedExtremities(const LandmarkSurface& landmarks, const SampleMap& map, const
 }
 
 std::vector<Region>
-hubRegions(const LandmarkSurface& landmarks, const std::vector<std::pair<Index, Index>>& limbs)
+limbRegions(const LandmarkSurface& landmarks, const std::vector<std::pair<Index, Index>>& limbs)
 {
   constexpr std::array<std::array<Region, 2>, 2> names{
       {{Region::Source1, Region::Target1}, {Region::Source2, Region::Target2}}};

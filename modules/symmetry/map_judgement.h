@@ -1,0 +1,61 @@
+/** \file
+ * \brief Which of several refined maps is taken, and whether it is a symmetry at all.
+ */
+#pragma once
+
+#include "symmetry/confidence/map_confidence.h"
+#include "symmetry/map_estimate.h"
+#include "symmetry/refine/sample_refinement.h"
+#include "symmetry/samples/sampled_surface.h"
+#include "symmetry/search/symmetry_search.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief A candidate and what became of it. */
+struct Contender {
+  const SymmetryCandidate* candidate = nullptr;
+  SampleEstimate samples;
+};
+
+/** \brief Refines the candidates with the best scores; what fits best comes first.
+ * \param[in] maximum at most so many
+ * \param[in] margin none whose score is worse than the best one's by more */
+std::vector<Contender>
+refineContenders(const SampleRefinement& refinement,
+                 const std::vector<SymmetryCandidate>& candidates,
+                 std::size_t maximum,
+                 float margin);
+
+/** \brief Judges maps of one surface. */
+class MapJudge {
+public:
+  /** \param[in] sampled referred to, not copied */
+  explicit MapJudge(const SampledSurface& sampled);
+
+  /** \brief Status, message and confidence of the map that is taken, which comes to the front.
+   *
+   * Of a mesh the one that fits best; of a cloud, whose contacts may be misread, the best one that is trusted, see
+   * bestTrustedMap (). */
+  MapEstimate
+  verdict(std::vector<Contender>& contenders) const;
+
+  float
+  confidenceOf(const SymmetryCandidate& candidate, const SampleEstimate& samples) const;
+
+private:
+  float
+  chooseContender(std::vector<Contender>& contenders) const;
+
+  float
+  knownHoles() const;
+
+  const SampledSurface& sampled_;
+  PointSpacing spacing_; ///< of a cloud
+  float share_at_holes_; ///< of the samples
+};
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,136 @@
+#include "symmetry/map_delivery.h"
+
+#include "geodesic/shortest_paths.h"
+#include "symmetry/confidence/distinct_symmetries.h"
+#include "symmetry/refine/point_map.h"
+#include "symmetry/sides/limb_regions.h"
+#include "symmetry/sides/side_votes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Votes of the ordered pairs at every sample, carried over to the points and made antisymmetric under the map. */
+std::vector<float>
+pointSides(const SampledSurface& sampled, const OrderedPairs& pairs, const std::vector<Index>& partners)
+{
+  const SampleInterpolation& interpolation = sampled.interpolation;
+  const DistanceFields from_sources = distanceFields(sampled.coarse.graph, pairs.sources, sampled.threads);
+  const DistanceFields from_targets = distanceFields(sampled.coarse.graph, pairs.targets, sampled.threads);
+  std::vector<float> votes(sampled.coarse.size(), 0.0F);
+  for (std::size_t k = 0; k < pairs.sources.size(); ++k) {
+    const float apart = from_sources.row(k)[pairs.targets[k]] * static_cast<float>(pairs.sources.size());
+    for (std::size_t i = 0; i < votes.size(); ++i) {
+      votes[i] += (from_targets.row(k)[i] - from_sources.row(k)[i]) / apart;
+    }
+  }
+  std::vector<float> at_points(interpolation.offsets.size() - 1);
+  for (std::size_t v = 0; v < at_points.size(); ++v) {
+    at_points[v] = interpolation.at(v, votes);
+  }
+  std::vector<float> sides = at_points;
+  for (std::size_t v = 0; v < partners.size(); ++v) {
+    sides[v] = 0.5F * (at_points[v] - at_points[partners[v]]);
+  }
+  return sides;
+}
+
+/** One match for every landmark on the source side that moves, with the landmark nearest to the middle of the way. */
+std::vector<SymmetricMatch>
+sparseMatches(const SampledSurface& sampled, const SampleEstimate& samples, const std::vector<float>& sides)
+{
+  constexpr std::size_t maximum_matches = 100; // as the last stage of the staged method has
+  constexpr float minimum_distance = 0.05F;    // of the diameter: what moves less lies at the axis
+  const SampleMap& map = samples.map;
+  const LandmarkSurface& landmarks = sampled.landmarks;
+  std::vector<SymmetricMatch> matches;
+  for (std::size_t i = 0; i < landmarks.size() && matches.size() < maximum_matches; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const Index partner = sampled.landmarks.nearest_landmark[map[i]];
+    const Index point = sampled.coarse.cells.vertices[i];
+    const float apart = landmarks.distances(row, partner);
+    if (apart < minimum_distance * landmarks.diameter || sides[point] <= 0.0F) {
+      continue;
+    }
+    Eigen::Index middle = 0;
+    (landmarks.distances.col(row).cwiseMax(landmarks.distances.col(partner))).minCoeff(&middle);
+    const float change = (landmarks.distances(partner, row) -
+                          landmarks.distances(row, sampled.landmarks.nearest_landmark[map[partner]])) /
+                         landmarks.diameter;
+    matches.push_back({point, samples.partners[i], sampled.coarse.cells.vertices[static_cast<std::size_t>(middle)],
+                       std::abs(change)});
+  }
+  return matches;
+}
+
+/** Region of every point and the extremities of the limbs. */
+void
+describeLimbs(const SampledSurface& sampled, const SampleMap& map, const OrderedPairs& pairs, MapEstimate& estimate)
+{
+  const auto limbs = swappedExtremities(sampled.landmarks, map, pairs);
+  const std::vector<Region> landmark_regions = limbRegions(sampled.landmarks, limbs);
+  for (const Index cell : sampled.coarse.cells.owner) {
+    estimate.regions.push_back(landmark_regions[sampled.landmarks.nearest_landmark[cell]]);
+  }
+  for (const auto& [source, target] : limbs) {
+    estimate.extremities.push_back(sampled.coarse.cells.vertices[source]);
+    estimate.extremities.push_back(sampled.coarse.cells.vertices[target]);
+  }
+}
+
+/** Candidates in their order, but one of them first. */
+std::vector<SymmetryCandidate>
+withFirst(const SymmetryCandidate& first, const std::vector<SymmetryCandidate>& candidates)
+{
+  std::vector<SymmetryCandidate> ordered{first};
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(ordered),
+               [&](const SymmetryCandidate& candidate) { return &candidate != &first; });
+  return ordered;
+}
+
+} // namespace
+
+void
+deliverMap(const SampledSurface& sampled, const SampleEstimate& samples, MapEstimate& estimate)
+{
+  estimate.partners = partnersOfPoints(sampled, samples.partners);
+  const OrderedPairs pairs = orderPairs(sampled.landmarks, samples.landmark_map);
+  estimate.side_function = pointSides(sampled, pairs, estimate.partners);
+  estimate.matches = sparseMatches(sampled, samples, estimate.side_function);
+  estimate.confidences = pointConfidences(sampled, samples.map, estimate.confidence);
+  describeLimbs(sampled, samples.landmark_map, pairs, estimate);
+}
+
+void
+deliverAlternatives(const SampledSurface& sampled,
+                    const SampleRefinement& refinement,
+                    const MapJudge& judge,
+                    const Contender& taken,
+                    const std::vector<SymmetryCandidate>& candidates,
+                    const SearchSettings& settings,
+                    std::size_t maximum,
+                    MapEstimate& estimate)
+{
+  const DistinctSymmetries distinct = distinctSymmetries(sampled.landmarks, sampled.descriptor,
+                                                         withFirst(*taken.candidate, candidates), settings, maximum);
+  for (const DistinctReflection& reflection : distinct.reflections) {
+    const SampleEstimate samples = refinement.refine(reflection.candidate);
+    const float confidence = estimate.alternatives.empty() ? estimate.confidence // of the map itself
+                                                           : judge.confidenceOf(reflection.candidate, samples);
+    estimate.alternatives.push_back(
+        {partnersOfPoints(sampled, samples.partners), reflection.candidate.score.value, confidence, true});
+  }
+  for (const DistinctRotation& rotation : distinct.rotations) {
+    const std::vector<Index>& second = estimate.alternatives[rotation.second].partners;
+    std::vector<Index> images = estimate.alternatives[rotation.first].partners;
+    std::transform(images.begin(), images.end(), images.begin(), [&](Index image) { return second[image]; });
+    estimate.rotations.push_back({std::move(images), rotation.score.value, rotation.confidence, false});
+  }
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,164 @@
+#include "symmetry/rival_interpretations.h"
+
+#include "base/vector_math.h"
+#include "symmetry/confidence/map_confidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Where some evenly numbered points of the input go; not a number where they go nowhere. Empty without a dense map. */
+std::vector<Vector3>
+imagesOfProbes(const Interpretation& interpretation)
+{
+  constexpr std::size_t probes = 500;
+  constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<Index>& representatives = interpretation.surface.representatives;
+  const std::vector<Index>& partners = interpretation.estimate.partners;
+  std::vector<Vector3> images;
+  const std::size_t step = std::max<std::size_t>(1, representatives.size() / probes);
+  for (std::size_t v = 0; !partners.empty() && v < representatives.size(); v += step) {
+    const Index partner = representatives[v] == no_index ? no_index : partners[representatives[v]];
+    images.push_back(partner == no_index ? Vector3{nowhere, nowhere, nowhere} : interpretation.surface.points[partner]);
+  }
+  return images;
+}
+
+/** Whether most points go to the same places; so they do where there are none. */
+bool
+areAlike(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
+{
+  constexpr float near = 0.1F; // surfaces are at unit scale
+  constexpr double most = 0.7;
+  std::size_t both = 0;
+  std::size_t alike = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    const float apart = distance(a[i], b[i]);
+    both += apart >= 0.0F ? 1U : 0U; // false for what is not a number
+    alike += apart < near ? 1U : 0U;
+  }
+  return static_cast<double>(alike) >= most * static_cast<double>(both);
+}
+
+/** Whether noise or points at random places make each interpretation of a cloud uncertain. */
+bool
+isUncertain(const PreparedSurface& surface)
+{
+  constexpr std::size_t probes = 2000;
+  if (surface.summary.smoothing_radius > 0.0F) {
+    return true;
+  }
+  std::vector<Index> probed;
+  const std::size_t step = std::max<std::size_t>(1, surface.size() / probes);
+  for (std::size_t v = 0; v < surface.graph.size(); v += step) {
+    probed.push_back(static_cast<Index>(v));
+  }
+  return measureSpacing(surface.graph, probed, 1.0F).irregularity >= random_irregularity;
+}
+
+/** Below this confidence after several interpretations there is no symmetry. */
+float
+leastOfSeveralInterpretations(const Interpretation& interpretation)
+{
+  constexpr float uncertain = 0.15F;
+  constexpr float with_many_holes = 0.2F;
+  constexpr float usual = 0.25F;
+  return isUncertain(interpretation.surface)
+             ? uncertain
+             : usual - (usual - with_many_holes) * weightOfHoles(interpretation.estimate.known_holes);
+}
+
+} // namespace
+
+void
+RivalInterpretations::add(Interpretation interpretation)
+{
+  ++interpretations_;
+  const bool is_found = interpretation.estimate.status == SymmetryStatus::Symmetric;
+  const float confidence = interpretation.estimate.confidence;
+  std::vector<Vector3> images = is_found ? imagesOfProbes(interpretation) : std::vector<Vector3>{};
+  const auto same = std::find_if(rivals_.begin(), rivals_.end(), [&](const Rival& rival) {
+    const bool rival_is_found = rival.interpretation.estimate.status == SymmetryStatus::Symmetric;
+    return is_found == rival_is_found && areAlike(images, rival.images);
+  });
+  if (same == rivals_.end()) {
+    rivals_.push_back({std::move(interpretation), std::move(images), is_found ? confidence : 0.0F});
+    return;
+  }
+  same->evidence += is_found ? confidence : 0.0F;
+  if (confidence > same->interpretation.estimate.confidence) {
+    same->interpretation = std::move(interpretation);
+    same->images = std::move(images);
+  }
+}
+
+bool
+RivalInterpretations::isSettled() const
+{
+  constexpr float beyond_doubt = 0.9F;
+  constexpr float sure_together = 2.0F; // three interpretations that agree, each sure enough alone
+  constexpr float usually = 0.6F;
+  if (rivals_.empty()) {
+    return false;
+  }
+  const std::size_t best = bestRival();
+  const MapEstimate& estimate = rivals_[best].interpretation.estimate;
+  float contradicting = 0.0F;
+  for (std::size_t i = 0; i < rivals_.size(); ++i) {
+    contradicting += i == best ? 0.0F : rivals_[i].evidence;
+  }
+  const float evidence = rivals_[best].evidence;
+  const bool is_usual = evidence >= sure_together && evidence >= usually * static_cast<float>(interpretations_);
+  return estimate.status == SymmetryStatus::TooFewPoints || is_usual ||
+         (estimate.confidence >= beyond_doubt && evidence > contradicting);
+}
+
+const Interpretation&
+RivalInterpretations::best() const
+{
+  return rivals_[bestRival()].interpretation;
+}
+
+Interpretation
+RivalInterpretations::takeBest()
+{
+  Rival& best = rivals_[bestRival()];
+  const float least_confidence = leastOfSeveralInterpretations(best.interpretation);
+  MapEstimate& estimate = best.interpretation.estimate;
+  if (estimate.status == SymmetryStatus::Symmetric && interpretations_ > 1) {
+    const float agreement = best.evidence / static_cast<float>(interpretations_);
+    const float share = std::sqrt(agreement / estimate.confidence);
+    estimate.confidence *= share;
+    for (float& confidence : estimate.confidences) {
+      confidence *= share;
+    }
+    for (std::vector<AlternativeMap>* maps : {&estimate.alternatives, &estimate.rotations}) {
+      for (AlternativeMap& map : *maps) {
+        map.confidence *= share;
+      }
+    }
+    if (estimate.confidence < least_confidence) {
+      estimate.status = SymmetryStatus::NoSymmetry;
+      estimate.message = "hardly any way to read the points shows a symmetry";
+    }
+  }
+  return std::move(best.interpretation);
+}
+
+std::size_t
+RivalInterpretations::bestRival() const
+{
+  const auto comes_before = [](const Rival& a, const Rival& b) {
+    return a.evidence != b.evidence ? a.evidence > b.evidence
+                                    : a.interpretation.estimate.confidence > b.interpretation.estimate.confidence;
+  };
+  return static_cast<std::size_t>(std::min_element(rivals_.begin(), rivals_.end(), comes_before) - rivals_.begin());
+}
+
+} // namespace symmetry
+} // namespace pcl
