@@ -1,8 +1,10 @@
 #include "bodies.h"
 
 #include "model/articulated_body.h"
+#include "symmetry/surface/surface_preparation.h"
 
 #include <map>
+#include <memory>
 
 namespace pcl {
 namespace symmetry {
@@ -27,18 +29,17 @@ human(std::int64_t vertices)
   return entry->second;
 }
 
-const CoarseHuman&
-coarseHuman(std::int64_t vertices)
+const SampledSurface&
+sampledHuman(std::int64_t vertices)
 {
-  static std::map<std::int64_t, CoarseHuman> humans;
-  const auto [entry, is_new] = humans.try_emplace(vertices);
-  if (is_new) {
-    CoarseHuman& result = entry->second;
-    result.coarse = coarsenSurface(human(vertices).surface, 1500);
-    result.basis = laplacianBasis(result.coarse, 60);
-    result.landmarks = makeLandmarkSurface(result.coarse, 600, Metric::Geodesic, 1);
+  static std::map<std::int64_t, std::unique_ptr<SampledSurface>> humans;
+  std::unique_ptr<SampledSurface>& result = humans[vertices];
+  if (!result) {
+    StepTimer timer;
+    result = std::make_unique<SampledSurface>(
+        sampleSurface(human(vertices).surface, SamplingSettings{}, Metric::Geodesic, 1, timer));
   }
-  return entry->second;
+  return *result;
 }
 
 } // namespace performance

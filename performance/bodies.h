@@ -3,9 +3,7 @@
  */
 #pragma once
 
-#include "symmetry/samples/coarse_surface.h"
-#include "symmetry/samples/landmark_surface.h"
-#include "symmetry/samples/laplacian_basis.h"
+#include "symmetry/samples/sampled_surface.h"
 #include "symmetry/surface/prepared_surface.h"
 
 #include <benchmark/benchmark.h>
@@ -27,16 +25,9 @@ struct Human {
 const Human&
 human(std::int64_t vertices);
 
-/** \brief What the robust method works on. */
-struct CoarseHuman {
-  CoarseSurface coarse;
-  LaplacianBasis basis;
-  LandmarkSurface landmarks;
-};
-
-/** \brief 1,500 samples, 60 eigenfunctions, 600 landmarks. */
-const CoarseHuman&
-coarseHuman(std::int64_t vertices);
+/** \brief What the robust method works on, with its default settings and one thread. */
+const SampledSurface&
+sampledHuman(std::int64_t vertices);
 
 /** \brief Numbers of vertices that every step is timed at. */
 inline void

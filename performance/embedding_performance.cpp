@@ -8,7 +8,7 @@ namespace {
 void
 eigenfunctions(benchmark::State& state)
 {
-  const CoarseSurface& coarse = coarseHuman(state.range(0)).coarse;
+  const CoarseSurface& coarse = sampledHuman(state.range(0)).coarse;
   for (auto _ : state) {
     benchmark::DoNotOptimize(laplacianBasis(coarse, 60));
   }
@@ -18,7 +18,7 @@ BENCHMARK(eigenfunctions)->Apply(onAllSizes);
 void
 hubDistances(benchmark::State& state)
 {
-  const CoarseSurface& coarse = coarseHuman(state.range(0)).coarse;
+  const CoarseSurface& coarse = sampledHuman(state.range(0)).coarse;
   for (auto _ : state) {
     benchmark::DoNotOptimize(makeLandmarkSurface(coarse, 600, Metric::Geodesic, 1));
   }

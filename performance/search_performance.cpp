@@ -64,10 +64,10 @@ BENCHMARK(involution)->ArgName("functions")->Arg(14)->Arg(40)->Arg(60);
 void
 hypotheses(benchmark::State& state)
 {
-  const CoarseHuman& body = coarseHuman(state.range(0));
+  SampledSurface sampled = sampledHuman(state.range(0));
+  sampled.threads = static_cast<unsigned>(state.range(1));
   for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        searchSymmetries(body.coarse, body.basis, body.landmarks, {}, static_cast<unsigned>(state.range(1))));
+    benchmark::DoNotOptimize(searchSymmetries(sampled, {}));
   }
 }
 BENCHMARK(hypotheses)

@@ -4,9 +4,8 @@
 #pragma once
 
 #include "support/known_body.h"
-#include "symmetry/samples/landmark_surface.h"
-#include "symmetry/samples/laplacian_basis.h"
-#include "symmetry/search/functional_map.h"
+#include "symmetry/samples/sample_map.h"
+#include "symmetry/samples/sampled_surface.h"
 #include "symmetry/surface/surface_preparation.h"
 
 namespace pcl {
@@ -19,6 +18,23 @@ struct CoarseBody {
   CoarseSurface coarse;
   LaplacianBasis basis;
   LandmarkSurface landmarks;
+
+  /** \brief All that the steps work on; a copy, but for the surface. */
+  SampledSurface
+  sampled(unsigned threads = 1) const
+  {
+    const SamplingSettings settings;
+    const CellMembers members = membersOfCells(coarse);
+    return {surface,
+            coarse,
+            basis,
+            landmarks,
+            interpolateFromSamples(surface, coarse, threads),
+            members,
+            thinnedMembers(members, settings.probes),
+            describeShape(coarse, basis, settings.dimensions, settings.descriptor),
+            threads};
+  }
 
   /** \brief The landmark nearest to the true partner of every landmark. */
   SampleMap

@@ -2,209 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 using namespace pcl::symmetry;
 
 namespace {
-
-constexpr Index number = 200;
-
-/** Points along a line; point i has the partner first + i, modulo their number. */
-Interpretation
-interpretationOf(Index first, float confidence, SymmetryStatus status = SymmetryStatus::Symmetric)
-{
-  Interpretation interpretation;
-  for (Index i = 0; i < number; ++i) {
-    interpretation.surface.points.push_back({static_cast<float>(i) / static_cast<float>(number), 0.0F, 0.0F});
-    interpretation.surface.representatives.push_back(i);
-    if (status == SymmetryStatus::Symmetric) {
-      interpretation.estimate.partners.push_back((first + i) % number);
-    }
-  }
-  interpretation.estimate.confidence = confidence;
-  interpretation.estimate.status = status;
-  return interpretation;
-}
-
-TEST(RivalInterpretations, TheHigherConfidenceIsTheBetter)
-{
-  RivalInterpretations rivals;
-  EXPECT_FALSE(rivals.isSettled());
-  rivals.add(interpretationOf(0, 0.4F));
-  rivals.add(interpretationOf(100, 0.6F));
-  EXPECT_FALSE(rivals.isSettled());
-  EXPECT_EQ(rivals.best().estimate.confidence, 0.6F);
-}
-
-TEST(RivalInterpretations, SeveralThatAgreeOutweighOneThatIsSure)
-{
-  RivalInterpretations rivals;
-  rivals.add(interpretationOf(0, 0.7F));
-  rivals.add(interpretationOf(3, 0.8F)); // nearly the same map
-  rivals.add(interpretationOf(100, 0.97F));
-  EXPECT_FALSE(rivals.isSettled());
-  EXPECT_EQ(rivals.best().estimate.confidence, 0.8F);
-  rivals.add(interpretationOf(100, 0.9F));
-  EXPECT_TRUE(rivals.isSettled());
-  EXPECT_EQ(rivals.best().estimate.confidence, 0.97F);
-}
-
-TEST(RivalInterpretations, OneBeyondDoubtSettlesWhatIsNotContradicted)
-{
-  RivalInterpretations rivals;
-  rivals.add(interpretationOf(0, 0.5F));
-  rivals.add(interpretationOf(1, 0.95F));
-  EXPECT_TRUE(rivals.isSettled());
-  EXPECT_EQ(rivals.best().estimate.confidence, 0.95F);
-}
-
-TEST(RivalInterpretations, WhatOthersContradictTogetherIsNotSettled)
-{
-  RivalInterpretations rivals;
-  rivals.add(interpretationOf(60, 0.6F));
-  rivals.add(interpretationOf(120, 0.5F));
-  rivals.add(interpretationOf(0, 0.95F));
-  EXPECT_EQ(rivals.best().estimate.confidence, 0.95F);
-  EXPECT_FALSE(rivals.isSettled());
-}
-
-TEST(RivalInterpretations, ThreeThatAgreeSettleWhatNoneSettlesAlone)
-{
-  RivalInterpretations rivals;
-  rivals.add(interpretationOf(0, 0.7F));
-  rivals.add(interpretationOf(1, 0.7F));
-  EXPECT_FALSE(rivals.isSettled());
-  rivals.add(interpretationOf(2, 0.7F));
-  EXPECT_TRUE(rivals.isSettled());
-}
-
-TEST(RivalInterpretations, ThreeOutOfManySettleNothing)
-{
-  RivalInterpretations rivals;
-  for (Index i = 0; i < 3; ++i) {
-    rivals.add(interpretationOf(i, 0.01F, SymmetryStatus::NoSymmetry));
-  }
-  for (Index i = 0; i < 3; ++i) {
-    rivals.add(interpretationOf(i, 0.7F));
-  }
-  EXPECT_FALSE(rivals.isSettled());
-}
-
-TEST(RivalInterpretations, SymmetryIsBetterThanNone)
-{
-  RivalInterpretations rivals;
-  rivals.add(interpretationOf(0, 0.01F, SymmetryStatus::NoSymmetry));
-  rivals.add(interpretationOf(0, 0.09F, SymmetryStatus::NoSymmetry));
-  EXPECT_EQ(rivals.best().estimate.confidence, 0.09F);
-  rivals.add(interpretationOf(0, 0.2F));
-  rivals.add(interpretationOf(0, 0.08F, SymmetryStatus::NoSymmetry));
-  EXPECT_EQ(rivals.best().estimate.status, SymmetryStatus::Symmetric);
-  EXPECT_EQ(rivals.best().estimate.confidence, 0.2F);
-}
-
-TEST(RivalInterpretations, WhatGoesNowhereContradictsNothing)
-{
-  Interpretation partial = interpretationOf(0, 0.5F);
-  for (Index i = 50; i < number; ++i) {
-    partial.surface.representatives[i] = no_index;
-  }
-  RivalInterpretations rivals;
-  rivals.add(interpretationOf(0, 0.3F));
-  rivals.add(std::move(partial));
-  rivals.add(interpretationOf(100, 0.7F));
-  EXPECT_EQ(rivals.best().estimate.confidence, 0.5F); // 0.3 + 0.5 against 0.7
-}
-
-TEST(RivalInterpretations, ConfidenceIsThatOfAllInterpretations)
-{
-  RivalInterpretations one;
-  one.add(interpretationOf(0, 0.4F));
-  EXPECT_EQ(one.takeBest().estimate.confidence, 0.4F);
-
-  RivalInterpretations several;
-  Interpretation with_alternatives = interpretationOf(0, 0.8F);
-  with_alternatives.estimate.alternatives.push_back({{}, 0.0F, 0.8F, true});
-  several.add(std::move(with_alternatives));
-  several.add(interpretationOf(0, 0.4F));
-  several.add(interpretationOf(100, 0.7F));
-  several.add(interpretationOf(0, 0.0F, SymmetryStatus::NoSymmetry));
-  Interpretation best = several.takeBest();
-  EXPECT_EQ(best.estimate.status, SymmetryStatus::Symmetric);
-  EXPECT_NEAR(best.estimate.confidence, std::sqrt(0.8F * 0.3F), 1e-5F);
-  EXPECT_NEAR(best.estimate.alternatives.at(0).confidence, best.estimate.confidence, 1e-5F);
-  EXPECT_TRUE(best.estimate.message.empty());
-}
-
-TEST(RivalInterpretations, OneTryOutOfManyIsNoSymmetry)
-{
-  RivalInterpretations rivals;
-  for (int i = 0; i < 14; ++i) {
-    rivals.add(interpretationOf(0, 0.01F, SymmetryStatus::NoSymmetry));
-  }
-  rivals.add(interpretationOf(0, 0.3F));
-  const Interpretation best = rivals.takeBest();
-  EXPECT_EQ(best.estimate.status, SymmetryStatus::NoSymmetry);
-  EXPECT_NEAR(best.estimate.confidence, std::sqrt(0.3F * 0.02F), 1e-5F);
-  EXPECT_FALSE(best.estimate.message.empty());
-}
-
-/** What comes out of an interpretation that found a map and three that found none: half of its confidence is left. */
-SymmetryStatus
-statusAfterThreeThatFindNothing(Interpretation found)
-{
-  RivalInterpretations rivals;
-  for (int i = 0; i < 3; ++i) {
-    rivals.add(interpretationOf(0, 0.01F, SymmetryStatus::NoSymmetry));
-  }
-  rivals.add(std::move(found));
-  return rivals.takeBest().estimate.status;
-}
-
-TEST(RivalInterpretations, NoiseExcusesInterpretationsThatFindNothing)
-{
-  Interpretation found = interpretationOf(0, 0.36F);
-  EXPECT_EQ(statusAfterThreeThatFindNothing(found), SymmetryStatus::NoSymmetry);
-  found.surface.summary.smoothing_radius = 0.1F;
-  EXPECT_EQ(statusAfterThreeThatFindNothing(found), SymmetryStatus::Symmetric);
-}
-
-TEST(RivalInterpretations, PointsAtRandomPlacesExcuseInterpretationsThatFindNothing)
-{
-  Interpretation found = interpretationOf(0, 0.36F);
-  found.surface.graph.offsets = {0, 2};
-  found.surface.graph.neighbours = {0, 0};
-  found.surface.graph.lengths = {0.3F, 0.3F};
-  EXPECT_EQ(statusAfterThreeThatFindNothing(found), SymmetryStatus::NoSymmetry);
-  found.surface.graph.lengths = {0.1F, 0.3F}; // on average twice the nearest
-  EXPECT_EQ(statusAfterThreeThatFindNothing(found), SymmetryStatus::Symmetric);
-}
-
-TEST(RivalInterpretations, HolesInAMeshExcuseInterpretationsThatFindNothing)
-{
-  Interpretation found = interpretationOf(0, 0.44F);
-  EXPECT_EQ(statusAfterThreeThatFindNothing(found), SymmetryStatus::NoSymmetry);
-  found.estimate.known_holes = 0.1F;
-  EXPECT_EQ(statusAfterThreeThatFindNothing(found), SymmetryStatus::Symmetric);
-}
-
-TEST(RivalInterpretations, PointsAreTrustedAsTheMapIs)
-{
-  RivalInterpretations rivals;
-  Interpretation interpretation = interpretationOf(0, 0.8F);
-  interpretation.estimate.confidences.assign(number, 0.4F);
-  rivals.add(interpretationOf(0, 0.0F, SymmetryStatus::NoSymmetry));
-  rivals.add(std::move(interpretation));
-  const Interpretation best = rivals.takeBest();
-  EXPECT_NEAR(best.estimate.confidences[7], 0.5F * best.estimate.confidence, 1e-5F);
-}
-
-TEST(RivalInterpretations, TooFewPointsSettleAtOnce)
-{
-  RivalInterpretations rivals;
-  rivals.add(interpretationOf(0, 0.0F, SymmetryStatus::TooFewPoints));
-  EXPECT_TRUE(rivals.isSettled());
-}
 
 TEST(PastInterpretations, AreThoseOfTheSamePointsWithTheSameContacts)
 {
@@ -226,6 +26,56 @@ TEST(PastInterpretations, AreThoseOfTheSamePointsWithTheSameContacts)
   EXPECT_TRUE(past.isNew(parted, trusting));
   EXPECT_FALSE(past.isNew(parted, trusting));
   EXPECT_FALSE(past.isNew(surface, trusting)) << "is remembered after others";
+}
+
+/** An octahedron: enough for a plan, which does not look for symmetries itself. */
+Surface
+octahedron()
+{
+  Surface surface;
+  surface.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  surface.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  return surface;
+}
+
+Interpretation
+unsettled(PreparedSurface surface, float known_holes)
+{
+  Interpretation interpretation;
+  interpretation.surface = std::move(surface);
+  interpretation.estimate.known_holes = known_holes;
+  return interpretation;
+}
+
+TEST(InterpretationPlan, AMeshWithoutHolesIsTakenAsItIs)
+{
+  const Surface surface = octahedron();
+  const SymmetryParameters parameters;
+  const NeighbourSearch search;
+  InterpretationPlan plan(surface, parameters, search);
+  RivalInterpretations rivals;
+  std::optional<PreparedSurface> first = plan.next(rivals);
+  ASSERT_TRUE(first.has_value());
+  EXPECT_FALSE(first->is_cloud);
+  EXPECT_EQ(first->size(), surface.size());
+  rivals.add(unsettled(std::move(*first), 0.0F));
+  EXPECT_FALSE(plan.next(rivals).has_value());
+  EXPECT_FALSE(plan.next(rivals).has_value());
+}
+
+TEST(InterpretationPlan, NothingIsTriedAfterWhatIsBeyondDoubt)
+{
+  const Surface surface = octahedron();
+  const SymmetryParameters parameters;
+  const NeighbourSearch search;
+  InterpretationPlan plan(surface, parameters, search);
+  RivalInterpretations rivals;
+  Interpretation sure = unsettled(*plan.next(rivals), 0.5F);
+  sure.estimate.status = SymmetryStatus::Symmetric;
+  sure.estimate.confidence = 0.99F;
+  sure.estimate.partners = {1, 0, 2, 3, 4, 5};
+  rivals.add(std::move(sure));
+  EXPECT_FALSE(plan.next(rivals).has_value());
 }
 
 } // namespace

@@ -29,11 +29,11 @@ isRotation(const MapScore& score);
 
 /** \brief How likely a map of the landmarks is right before it is refined, in [0, 1]: to compare candidates.
  *
- * A logistic function of the logarithms of the signs of asymmetry and of the share of the surface that stands still: an
- * odd limb is mapped to itself. Its weights were fitted to generated bodies.
+ * A logistic function of the logarithms of the measures of asymmetry and of the share of the surface that stands still:
+ * an odd limb is mapped to itself. Its weights were fitted to generated bodies.
  */
 float
-candidateConfidence(const MapScore& score, const AsymmetryMeasures& signs);
+candidateConfidence(const MapScore& score, const AsymmetryMeasures& measures);
 
 /** \brief How densely and evenly the points of a cloud lie. */
 struct PointSpacing {
@@ -56,7 +56,7 @@ constexpr float random_irregularity = 1.8F;
 struct MapEvidence {
   MapScore score;               ///< of the refined map
   float rough_curvature = 0.0F; ///< MapScore::curvature before: refinement lays curved places on each other if it can
-  AsymmetryMeasures signs;
+  AsymmetryMeasures measures;
   PatchFit fit{0.0F, 0.0F};    ///< of the patches and their images, the mean
   float worst_distance = 0.0F; ///< of the worst of them: SampleEstimate::worst_distance
   bool is_noisy = false;       ///< the surface is that of a cloud which had to be smoothed: part of the misfit is noise

@@ -26,11 +26,9 @@ analyse(const Surface& mesh, std::size_t most = 10)
   shape.body.basis = laplacianBasis(shape.body.coarse, 50);
   shape.body.landmarks = makeLandmarkSurface(shape.body.coarse, 400, Metric::Geodesic, 2);
   const SearchSettings settings;
-  const ShapeDescriptor descriptor =
-      describeShape(shape.body.coarse, shape.body.basis, settings.dimensions, settings.descriptor);
-  const std::vector<SymmetryCandidate> candidates =
-      searchSymmetries(shape.body.coarse, shape.body.basis, shape.body.landmarks, settings, 2);
-  shape.found = distinctSymmetries(shape.body.landmarks, descriptor, candidates, settings, most);
+  const SampledSurface sampled = shape.body.sampled(2);
+  const std::vector<SymmetryCandidate> candidates = searchSymmetries(sampled, settings);
+  shape.found = distinctSymmetries(sampled.landmarks, sampled.descriptor, candidates, settings, most);
   return shape;
 }
 

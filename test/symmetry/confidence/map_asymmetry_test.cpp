@@ -16,7 +16,7 @@ namespace {
 
 struct Finding {
   MapScore score;
-  AsymmetryMeasures signs;
+  AsymmetryMeasures measures;
   float confidence = 0.0F;
 };
 
@@ -26,8 +26,8 @@ judge(const CoarseBody& body, const SampleMap& map)
   const ShapeDescriptor descriptor = describeShape(body.coarse, body.basis, 8, DescriptorWeights{});
   Finding finding;
   finding.score = scoreMap(body.landmarks, descriptor, map, map.size(), ScoreWeights{});
-  finding.signs = findAsymmetry(body.landmarks, descriptor.curvature, map);
-  finding.confidence = candidateConfidence(finding.score, finding.signs);
+  finding.measures = findAsymmetry(body.landmarks, descriptor.curvature, map);
+  finding.confidence = candidateConfidence(finding.score, finding.measures);
   return finding;
 }
 
@@ -36,7 +36,7 @@ Finding
 judgeBest(Body kind)
 {
   const CoarseBody body = coarseBody(kind, 1.0);
-  return judge(body, searchSymmetries(body.coarse, body.basis, body.landmarks, SearchSettings{}, 2).at(0).map);
+  return judge(body, searchSymmetries(body.sampled(2), SearchSettings{}).at(0).map);
 }
 
 const CoarseBody&
@@ -50,30 +50,30 @@ TEST(FindAsymmetry, SeesNoneInTheIdentity)
 {
   SampleMap map(human().landmarks.size());
   std::iota(map.begin(), map.end(), 0);
-  const AsymmetryMeasures signs = judge(human(), map).signs;
-  EXPECT_EQ(signs.stretch, 0.0F);
-  EXPECT_EQ(signs.involution, 0.0F);
-  EXPECT_EQ(signs.average_distance, 0.0F);
-  EXPECT_EQ(signs.curvature, 0.0F);
-  EXPECT_EQ(signs.concentration, 1.0F);
+  const AsymmetryMeasures measures = judge(human(), map).measures;
+  EXPECT_EQ(measures.stretch, 0.0F);
+  EXPECT_EQ(measures.involution, 0.0F);
+  EXPECT_EQ(measures.average_distance, 0.0F);
+  EXPECT_EQ(measures.curvature, 0.0F);
+  EXPECT_EQ(measures.concentration, 1.0F);
 }
 
 TEST(FindAsymmetry, SeesMoreStretchWhereALimbIsMissingOrTooMuch)
 {
-  const float symmetric = judgeBest(Body::Human).signs.stretch;
-  EXPECT_GT(judgeBest(Body::MissingArm).signs.stretch, 1.5F * symmetric);
-  EXPECT_GT(judgeBest(Body::ThirdArm).signs.stretch, 1.5F * symmetric);
+  const float symmetric = judgeBest(Body::Human).measures.stretch;
+  EXPECT_GT(judgeBest(Body::MissingArm).measures.stretch, 1.5F * symmetric);
+  EXPECT_GT(judgeBest(Body::ThirdArm).measures.stretch, 1.5F * symmetric);
 }
 
 TEST(FindAsymmetry, SeesWhatIsSentNearerToTheMiddle)
 {
-  EXPECT_LT(judge(human(), human().trueMap()).signs.average_distance, 0.05F);
+  EXPECT_LT(judge(human(), human().trueMap()).measures.average_distance, 0.05F);
   const LandmarkSurface& landmarks = human().landmarks;
   const auto middle = std::min_element(landmarks.average_distance.begin(), landmarks.average_distance.end());
   const auto outermost = std::max_element(landmarks.average_distance.begin(), landmarks.average_distance.end());
   const SampleMap all_to_the_middle(landmarks.size(), static_cast<Index>(middle - landmarks.average_distance.begin()));
   const float most = (*outermost - *middle) / landmarks.diameter;
-  const float average_distance = judge(human(), all_to_the_middle).signs.average_distance;
+  const float average_distance = judge(human(), all_to_the_middle).measures.average_distance;
   EXPECT_LE(average_distance, most);
   EXPECT_GT(average_distance, 0.8F * most) << "of the worst 3 %";
 }
@@ -81,13 +81,13 @@ TEST(FindAsymmetry, SeesWhatIsSentNearerToTheMiddle)
 TEST(FindAsymmetry, DoesNotCountATearThatRelaxationHeals)
 {
   SampleMap torn = human().trueMap();
-  const AsymmetryMeasures whole = judge(human(), torn).signs;
+  const AsymmetryMeasures whole = judge(human(), torn).measures;
   Eigen::Index far = 0;
   human().landmarks.distances.col(torn[20]).maxCoeff(&far);
   torn[20] = static_cast<Index>(far);
-  const AsymmetryMeasures signs = judge(human(), torn).signs;
-  EXPECT_NEAR(signs.stretch, whole.stretch, 0.1F * whole.stretch);
-  EXPECT_GT(signs.concentration, whole.concentration);
+  const AsymmetryMeasures measures = judge(human(), torn).measures;
+  EXPECT_NEAR(measures.stretch, whole.stretch, 0.1F * whole.stretch);
+  EXPECT_GT(measures.concentration, whole.concentration);
 }
 
 TEST(FindAsymmetry, DoesNotDependOnTheLengthUnit)
@@ -98,8 +98,8 @@ TEST(FindAsymmetry, DoesNotDependOnTheLengthUnit)
   for (float& average_distance : larger.landmarks.average_distance) {
     average_distance *= 4.0F;
   }
-  const AsymmetryMeasures small = judge(human(), human().trueMap()).signs;
-  const AsymmetryMeasures large = judge(larger, human().trueMap()).signs;
+  const AsymmetryMeasures small = judge(human(), human().trueMap()).measures;
+  const AsymmetryMeasures large = judge(larger, human().trueMap()).measures;
   EXPECT_NEAR(large.stretch, small.stretch, 1e-4F);
   EXPECT_NEAR(large.involution, small.involution, 1e-5F);
   EXPECT_NEAR(large.average_distance, small.average_distance, 1e-5F);
@@ -120,15 +120,15 @@ TEST(CandidateConfidence, FallsWithEverySignOfAsymmetryAndWithWhatStandsStill)
 {
   Finding finding = judge(human(), human().trueMap());
   const auto changed = [&](float AsymmetryMeasures::*sign) {
-    AsymmetryMeasures signs = finding.signs;
-    signs.*sign *= 1.5F;
-    return candidateConfidence(finding.score, signs);
+    AsymmetryMeasures measures = finding.measures;
+    measures.*sign *= 1.5F;
+    return candidateConfidence(finding.score, measures);
   };
   EXPECT_LT(changed(&AsymmetryMeasures::stretch), finding.confidence);
   EXPECT_LT(changed(&AsymmetryMeasures::concentration), finding.confidence);
   EXPECT_LT(changed(&AsymmetryMeasures::curvature), finding.confidence);
   finding.score.fixed += 0.1F;
-  EXPECT_LT(candidateConfidence(finding.score, finding.signs), finding.confidence);
+  EXPECT_LT(candidateConfidence(finding.score, finding.measures), finding.confidence);
 }
 
 /** The medians of right maps of scanned bodies. */
@@ -139,9 +139,9 @@ evidenceOfRightMap()
   right.score.fixed = 0.16F;
   right.score.distorted = 0.0F;
   right.rough_curvature = 0.3F;
-  right.signs.stretch = 0.069F;
-  right.signs.involution = 0.009F;
-  right.signs.average_distance = 0.025F;
+  right.measures.stretch = 0.069F;
+  right.measures.involution = 0.009F;
+  right.measures.average_distance = 0.025F;
   right.fit = {0.0035F, 0.047F};
   right.worst_distance = 0.009F;
   return right;
@@ -161,13 +161,13 @@ TEST(MapConfidence, FallsWithWhatSpeaksAgainstARightMap)
   EXPECT_LT(after([](MapEvidence& e) { e.fit.distance *= 1.5F; }), confidence);
   EXPECT_LT(after([](MapEvidence& e) { e.worst_distance *= 2.0F; }), confidence);
   EXPECT_LT(after([](MapEvidence& e) { e.rough_curvature += 0.3F; }), confidence);
-  EXPECT_LT(after([](MapEvidence& e) { e.signs.stretch *= 2.0F; }), confidence);
+  EXPECT_LT(after([](MapEvidence& e) { e.measures.stretch *= 2.0F; }), confidence);
 }
 
 TEST(MapConfidence, AllowsForWhatIsBadlyKnown)
 {
   MapEvidence evidence = evidenceOfRightMap();
-  evidence.signs.stretch *= 3.0F;
+  evidence.measures.stretch *= 3.0F;
   const float confidence = mapConfidence(evidence);
   evidence.is_noisy = true;
   const float noisy = mapConfidence(evidence);
@@ -214,9 +214,9 @@ TEST(MapConfidence, RefusesAMapFromHeadToTail)
   evidence.score.distorted = 0.447F;
   evidence.score.fixed = 0.018F;
   evidence.rough_curvature = 0.6F;
-  evidence.signs.stretch = 0.238F;
-  evidence.signs.involution = 0.0746F;
-  evidence.signs.average_distance = 0.0865F;
+  evidence.measures.stretch = 0.238F;
+  evidence.measures.involution = 0.0746F;
+  evidence.measures.average_distance = 0.0865F;
   evidence.fit = {0.0186F, 0.2F};
   evidence.worst_distance = 0.0649F;
   evidence.at_holes = 0.206F;
@@ -227,10 +227,10 @@ TEST(MapConfidence, RefusesAMapFromHeadToTail)
 TEST(MapConfidence, DoubtsStretchInOnePlaceMoreThanStretchEverywhere)
 {
   MapEvidence evidence = evidenceOfRightMap();
-  evidence.signs.stretch *= 2.0F;
+  evidence.measures.stretch *= 2.0F;
   const float in_one_place = mapConfidence(evidence);
-  evidence.signs.average_distance *= 2.0F;
-  evidence.signs.involution *= 2.0F;
+  evidence.measures.average_distance *= 2.0F;
+  evidence.measures.involution *= 2.0F;
   evidence.fit.turn *= 1.5F;
   EXPECT_GT(mapConfidence(evidence), in_one_place);
 }
@@ -302,8 +302,8 @@ TEST(MapConfidence, IsBounded)
 {
   for (const float extreme : {0.0F, 1.0F, 1e6F}) {
     MapEvidence evidence;
-    evidence.signs.stretch = extreme;
-    evidence.signs.average_distance = extreme;
+    evidence.measures.stretch = extreme;
+    evidence.measures.average_distance = extreme;
     evidence.fit = {extreme, extreme};
     evidence.worst_distance = extreme;
     evidence.rough_curvature = extreme;

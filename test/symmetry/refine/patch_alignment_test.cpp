@@ -2,6 +2,7 @@
 #include "symmetry/refine/bidirectional_matches.h"
 #include "symmetry/refine/extremity_rotations.h"
 #include "symmetry/refine/patch_alignment.h"
+#include "symmetry/refine/point_map.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -75,11 +76,7 @@ withTurnedHead(const CoarseBody& body, float radius, float angle)
   return partners;
 }
 
-PatchAlignment
-alignmentOf(const CoarseBody& body, const CellMembers& members)
-{
-  return PatchAlignment(body.surface, body.coarse, members, body.landmarks.diameter, {0.12F, 250}, 1);
-}
+constexpr PatchSize small_patches{0.12F, 250};
 
 TEST(PatchAround, HoldsTheSamplesWithinTheRadius)
 {
@@ -103,14 +100,13 @@ TEST(PatchAround, HoldsTheSamplesWithinTheRadius)
 TEST(MutualPartners, DrawAScatteredMapTogether)
 {
   const CoarseBody& body = human();
-  const CellMembers members = membersOfCells(body.coarse);
   const std::vector<Index> rough = scattered(body, truePartners(body));
-  const std::vector<Index> smooth = mutualPartners(body.surface, body.coarse, members, rough, 3, 1);
+  const std::vector<Index> smooth = mutualPartners(body.sampled(1), rough, 3);
   EXPECT_LT(errorOf(body, smooth), 0.6F * errorOf(body, rough));
-  EXPECT_EQ(smooth, mutualPartners(body.surface, body.coarse, members, rough, 3, 5));
+  EXPECT_EQ(smooth, mutualPartners(body.sampled(5), rough, 3));
 }
 
-TEST(PlaceMatches, AreReadBothWays)
+TEST(BidirectionalMatches, AreReadBothWays)
 {
   const CoarseBody& body = human();
   const std::vector<Index> truth = truePartners(body);
@@ -123,7 +119,7 @@ TEST(PlaceMatches, AreReadBothWays)
       partners[i] = nowhere;
     }
   }
-  const PlaceMatches matches(body.surface, body.coarse, partners);
+  const BidirectionalMatches matches(body.surface, body.coarse, partners);
   float from_nowhere = 0.0F;
   float from_truth = 0.0F;
   for (std::size_t i = 0; i < partners.size(); ++i) {
@@ -139,24 +135,25 @@ TEST(PlaceMatches, AreReadBothWays)
 TEST(PatchAlignment, BringsAScatteredMapIntoPlace)
 {
   const CoarseBody& body = human();
-  const CellMembers members = membersOfCells(body.coarse);
-  const PatchAlignment alignment = alignmentOf(body, members);
+  const SampledSurface sampled = body.sampled();
+  const PatchAlignment alignment(sampled, small_patches);
   const std::vector<Index> rough = scattered(body, truePartners(body));
-  const std::vector<Index> aligned = alignment.align(rough, 5, 1);
+  const std::vector<Index> aligned = alignment.align(rough, 5);
   EXPECT_GT(errorOf(body, rough), 0.9F);
   EXPECT_LT(errorOf(body, aligned), 0.2F);
-  EXPECT_EQ(aligned, alignment.align(rough, 5, 5));
-  EXPECT_EQ(rough, alignment.align(rough, 0, 1));
+  const SampledSurface in_threads = body.sampled(5);
+  EXPECT_EQ(aligned, PatchAlignment(in_threads, small_patches).align(rough, 5));
+  EXPECT_EQ(rough, alignment.align(rough, 0));
 }
 
 TEST(PatchAlignment, FitsTellTheTrueMapFromOthers)
 {
   const CoarseBody& body = human();
-  const CellMembers members = membersOfCells(body.coarse);
-  const PatchAlignment alignment = alignmentOf(body, members);
+  const SampledSurface sampled = body.sampled();
+  const PatchAlignment alignment(sampled, small_patches);
   const auto mean_fit = [&](const std::vector<Index>& partners) {
     PatchFit mean{0.0F, 0.0F};
-    for (const PatchFit& fit : alignment.fits(partners, 2)) {
+    for (const PatchFit& fit : alignment.fits(partners)) {
       mean.distance += fit.distance / 250.0F;
       mean.turn += fit.turn / 250.0F;
     }
@@ -170,33 +167,33 @@ TEST(PatchAlignment, FitsTellTheTrueMapFromOthers)
   EXPECT_GT(of_identity.turn, 3.0F * of_truth.turn);
 }
 
-TEST(TurnParts, TurnsATwistedHeadBack)
+TEST(RotateExtremities, TurnsATwistedHeadBack)
 {
   const CoarseBody& body = human();
   const float radius = 0.12F * body.landmarks.diameter;
-  const std::vector<Index> tips{topOfHead(body)};
+  const std::vector<Index> extremities{topOfHead(body)};
   const PatchFitting fitting(body.coarse);
   for (const float angle : {-1.6F, 1.2F}) {
     const std::vector<Index> twisted = withTurnedHead(body, radius, angle);
     std::vector<Index> partners = twisted;
-    EXPECT_EQ(turnParts(body.surface, body.coarse, fitting, tips, radius, partners, 1), 1U);
+    EXPECT_EQ(rotateExtremities(body.sampled(1), fitting, extremities, radius, partners), 1U);
     EXPECT_LT(errorOf(body, partners), 0.5F * errorOf(body, twisted)) << angle;
     std::vector<Index> again = twisted;
-    turnParts(body.surface, body.coarse, fitting, tips, radius, again, 3);
+    rotateExtremities(body.sampled(3), fitting, extremities, radius, again);
     EXPECT_EQ(partners, again);
   }
 }
 
-TEST(TurnParts, LeavesTheTrueMapAlone)
+TEST(RotateExtremities, LeavesTheTrueMapAlone)
 {
   const CoarseBody& body = human();
   const PatchFitting fitting(body.coarse);
   std::vector<Index> partners = truePartners(body);
-  EXPECT_EQ(turnParts(body.surface, body.coarse, fitting, body.landmarks.extremities, 0.12F * body.landmarks.diameter,
-                      partners, 1),
-            0U);
+  EXPECT_EQ(
+      rotateExtremities(body.sampled(), fitting, body.landmarks.extremities, 0.12F * body.landmarks.diameter, partners),
+      0U);
   EXPECT_EQ(partners, truePartners(body));
-  EXPECT_EQ(turnParts(body.surface, body.coarse, fitting, {}, 0.1F, partners, 1), 0U);
+  EXPECT_EQ(rotateExtremities(body.sampled(), fitting, {}, 0.1F, partners), 0U);
 }
 
 } // namespace

@@ -103,7 +103,7 @@ TEST(GrowReflections, BringsALostEndOfALimbBack)
   const std::vector<Index> lost = withLostEnd(body, end);
   const GrowthSettings settings;
   std::vector<Index> partners = lost;
-  EXPECT_GT(growReflections(body.surface, body.coarse, fitting, body.landmarks.diameter, settings, partners, 1), 0U);
+  EXPECT_GT(growReflections(body.sampled(1), fitting, settings, partners), 0U);
   const std::vector<Index> truth = truePartners(body);
   std::size_t near = 0;
   for (const PatchMember& member : end) {
@@ -116,7 +116,7 @@ TEST(GrowReflections, BringsALostEndOfALimbBack)
   EXPECT_LT(errorOf(body, partners), 0.3F * errorOf(body, lost));
 
   std::vector<Index> in_threads = lost;
-  growReflections(body.surface, body.coarse, fitting, body.landmarks.diameter, settings, in_threads, 5);
+  growReflections(body.sampled(5), fitting, settings, in_threads);
   EXPECT_EQ(partners, in_threads);
 }
 
@@ -125,7 +125,7 @@ TEST(GrowReflections, LeavesTheTrueMapInPlace)
   const CoarseBody& body = human();
   const PatchFitting fitting(body.coarse);
   std::vector<Index> partners = truePartners(body);
-  growReflections(body.surface, body.coarse, fitting, body.landmarks.diameter, GrowthSettings{}, partners, 2);
+  growReflections(body.sampled(2), fitting, GrowthSettings{}, partners);
   EXPECT_LT(errorOf(body, partners), 0.15F);
 }
 
@@ -138,7 +138,7 @@ TEST(GrowReflections, NothingGrowsWithoutPatches)
   std::vector<Index> partners = lost;
   GrowthSettings settings;
   settings.patches = 0;
-  EXPECT_EQ(growReflections(body.surface, body.coarse, fitting, body.landmarks.diameter, settings, partners, 1), 0U);
+  EXPECT_EQ(growReflections(body.sampled(1), fitting, settings, partners), 0U);
   EXPECT_EQ(partners, lost);
 }
 

@@ -1,5 +1,6 @@
 #include "support/coarse_body.h"
 #include "symmetry/refine/point_map.h"
+#include "symmetry/search/functional_map.h"
 
 #include <gtest/gtest.h>
 
@@ -30,12 +31,11 @@ TEST(PartnersOfPoints, FollowTheTruePartnersOfTheSamples)
   for (const Index v : body.coarse.cells.vertices) {
     of_samples.push_back(body.model.partners[v]);
   }
-  const CellMembers members = membersOfCells(body.coarse);
-  const std::vector<Index> one = partnersOfPoints(body.surface, body.coarse, members, of_samples, 1);
+  const std::vector<Index> one = partnersOfPoints(body.sampled(1), of_samples);
   const std::vector<double> errors = mapErrors(body.model, one);
   EXPECT_EQ(correspondenceRate(errors), 1.0);
   EXPECT_LT(mean(errors), 0.01); // a third of the spacing of the samples
-  EXPECT_EQ(one, partnersOfPoints(body.surface, body.coarse, members, of_samples, 5));
+  EXPECT_EQ(one, partnersOfPoints(body.sampled(5), of_samples));
 }
 
 TEST(PartnersOfSamples, LieWithinASpacingOfTheTruth)
@@ -52,9 +52,7 @@ TEST(PartnersOfSamples, LieWithinASpacingOfTheTruth)
     images.row(i) = functions.row(map[static_cast<std::size_t>(i)]);
   }
   const Eigen::MatrixXf matrix = nearestInvolution(functions.transpose() * body.basis.masses.asDiagonal() * images);
-  const SampleInterpolation interpolation = interpolateFromSamples(body.surface, body.coarse, 1);
-  const std::vector<Index> partners =
-      partnersOfSamples(body.coarse, body.basis, interpolation, membersOfCells(body.coarse), map, matrix, 2);
+  const std::vector<Index> partners = partnersOfSamples(body.sampled(2), map, matrix);
   ASSERT_EQ(partners.size(), body.coarse.size());
   double error = 0.0;
   for (std::size_t i = 0; i < partners.size(); ++i) {

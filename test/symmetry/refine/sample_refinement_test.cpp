@@ -40,13 +40,10 @@ settingsFor(const CoarseBody& body)
 TEST(SampleRefinement, LeadsFromARoughMapToTheTruePartners)
 {
   const CoarseBody body = coarseBody(Body::Human, 1.0);
-  const SampleInterpolation interpolation = interpolateFromSamples(body.surface, body.coarse, 1);
-  const CellMembers members = membersOfCells(body.coarse);
   const RefinementSettings settings = settingsFor(body);
   const auto refine = [&](const SampleMap& map, unsigned threads) {
-    return SampleRefinement(body.surface, body.coarse, body.basis, body.landmarks, interpolation, members, settings,
-                            threads)
-        .refine(candidateOf(body, map));
+    const SampledSurface sampled = body.sampled(threads);
+    return SampleRefinement(sampled, settings).refine(candidateOf(body, map));
   };
   const SampleEstimate found = refine(body.trueMap(), 1);
   ASSERT_EQ(found.partners.size(), body.coarse.size());

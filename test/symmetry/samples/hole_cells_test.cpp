@@ -1,6 +1,7 @@
 #include "cloud/clouds.h"
 #include "model/disturb.h"
 #include "support/shapes.h"
+#include "symmetry/samples/coarse_surface.h"
 #include "symmetry/samples/hole_cells.h"
 #include "symmetry/surface/surface_preparation.h"
 

@@ -116,7 +116,7 @@ TEST(RelaxedMap, HealsATear)
 
 TEST(NearestLandmarks, AreTheNearestInOrderWithoutTheLandmarkItself)
 {
-  const std::vector<std::vector<Index>> nearest = nearestLandmarks(human().landmarks, 5);
+  const std::vector<std::vector<Index>> nearest = nearestLandmarks(human().landmarks.distances, 5);
   for (std::size_t i = 0; i < nearest.size(); ++i) {
     const auto from = human().landmarks.distances.col(static_cast<Eigen::Index>(i));
     ASSERT_EQ(nearest[i].size(), 5U);
@@ -132,7 +132,7 @@ TEST(RefittedMap, BringsImagesThatAreALandmarkOrTwoOffCloserToTheTruth)
 {
   const LandmarkSurface& landmarks = human().landmarks;
   const SampleMap truth = human().trueMap();
-  const std::vector<std::vector<Index>> nearest = nearestLandmarks(landmarks, 6);
+  const std::vector<std::vector<Index>> nearest = nearestLandmarks(landmarks.distances, 6);
   SampleMap blurred = truth;
   for (std::size_t i = 0; i < blurred.size(); ++i) {
     blurred[i] = nearest[truth[i]][i % 6];

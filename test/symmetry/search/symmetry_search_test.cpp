@@ -18,7 +18,7 @@ human()
 std::vector<SymmetryCandidate>
 search(const CoarseBody& body, const SearchSettings& settings = {}, unsigned threads = 2)
 {
-  return searchSymmetries(body.coarse, body.basis, body.landmarks, settings, threads);
+  return searchSymmetries(body.sampled(threads), settings);
 }
 
 /** The spectral coordinates of a map's landmarks under an action on them, mean squared distance to those of the images.

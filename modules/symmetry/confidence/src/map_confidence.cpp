@@ -1,6 +1,7 @@
 #include "symmetry/confidence/map_confidence.h"
 
 #include "base/statistics.h"
+#include "symmetry/confidence/calibration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,23 +19,27 @@ logistic(float evidence)
   return 1.0F / (1.0F + std::exp(-evidence));
 }
 
+constexpr MapCalibration map_calibration;
+constexpr CandidateCalibration candidate_calibration;
+constexpr ScoreCalibration score_calibration;
+constexpr RefusalCalibration refusal_calibration;
+
 /** How much of the evidence against a map comes from how badly the surface is known, and not from the map. */
 float
 evidenceFromGaps(const MapEvidence& evidence)
 {
-  constexpr float usual_spacing = 0.011F;
-  constexpr float even = 1.4F;
-  const float gaps = std::clamp((evidence.spacing.irregularity - even) / (random_irregularity - even), 0.0F, 1.0F);
-  return 1.2F * gaps * std::log(std::max(1.0F, evidence.spacing.sparse / usual_spacing)) +
-         weightOfHoles(evidence.at_holes) + (evidence.is_noisy ? 0.7F : 0.0F);
+  const MapCalibration& c = map_calibration;
+  const float gaps = std::clamp(
+      (evidence.spacing.irregularity - c.even_irregularity) / (random_irregularity - c.even_irregularity), 0.0F, 1.0F);
+  return c.gaps * gaps * std::log(std::max(1.0F, evidence.spacing.sparse / c.usual_spacing)) +
+         weightOfHoles(evidence.at_holes) + (evidence.is_noisy ? c.noise : 0.0F);
 }
 
 bool
 isSymmetry(const MapScore& score)
 {
-  constexpr float largest_curvature = 0.9F;
-  constexpr float most_distorted = 0.25F;
-  return scoreConfidence(score) >= 0.5F && score.curvature <= largest_curvature && score.distorted <= most_distorted;
+  return scoreConfidence(score) >= 0.5F && score.curvature <= score_calibration.curvature_bound &&
+         score.distorted <= score_calibration.distorted_bound;
 }
 
 } // namespace
@@ -42,41 +47,36 @@ isSymmetry(const MapScore& score)
 float
 scoreConfidence(const MapScore& score)
 {
-  constexpr float even = -0.6F; // score at which right and wrong are equally likely
-  constexpr float slope = 4.0F;
-  return logistic(-slope * (score.value - even));
+  return logistic(-score_calibration.slope * (score.value - score_calibration.even));
 }
 
 bool
 isReflection(const MapScore& score)
 {
-  constexpr float least_reversal = 0.4F; // thin limbs hold hardly a triangle whose orientation can be told
-  return isSymmetry(score) && score.reversal >= least_reversal;
+  return isSymmetry(score) && score.reversal >= score_calibration.least_reversal;
 }
 
 bool
 isRotation(const MapScore& score)
 {
-  constexpr float most_reversal = 0.4F;
-  return isSymmetry(score) && score.reversal <= most_reversal;
+  return isSymmetry(score) && score.reversal <= score_calibration.least_reversal;
 }
 
 float
-candidateConfidence(const MapScore& score, const AsymmetryMeasures& signs)
+candidateConfidence(const MapScore& score, const AsymmetryMeasures& measures)
 {
-  constexpr float tiny = 1e-3F;
-  constexpr float little_curvature = 0.1F;
-  constexpr float largest_fixed = 0.35F; // the head, tail and trunk of an animal; more is for the score to judge
+  const CandidateCalibration& c = candidate_calibration;
   // The involution normalises: where samples are coarse or noisy, it grows together with the stretch.
-  return logistic(1.0F + 3.1F * std::log(signs.involution + tiny) - 5.7F * std::log(signs.stretch + tiny) -
-                  1.7F * std::log(signs.concentration + tiny) - 3.4F * std::log(signs.curvature + little_curvature) -
-                  5.0F * std::min(score.fixed, largest_fixed));
+  return logistic(
+      c.bias + c.involution * std::log(measures.involution + c.floor) +
+      c.stretch * std::log(measures.stretch + c.floor) + c.concentration * std::log(measures.concentration + c.floor) +
+      c.curvature * std::log(measures.curvature + c.curvature_floor) + c.fixed * std::min(score.fixed, c.fixed_bound));
 }
 
 PointSpacing
 measureSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, float diameter)
 {
-  constexpr double most_samples = 0.9;
+  constexpr double nearly_all = 0.9;
   std::vector<float> means;
   std::vector<float> ratios;
   for (const Index v : samples) {
@@ -91,48 +91,38 @@ measureSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, flo
   if (means.empty()) {
     return {};
   }
-  return {quantile(std::move(means), most_samples) / diameter, median(std::move(ratios))};
+  return {quantile(std::move(means), nearly_all) / diameter, median(std::move(ratios))};
 }
 
 float
 mapConfidence(const MapEvidence& evidence)
 {
-  constexpr float tiny = 1e-3F;
-  constexpr float little_distance = 4e-3F;
-  constexpr float little_change = 4e-3F;
-  constexpr float little_stretch = 0.01F;
-  constexpr float little_turn = 0.005F;
-  constexpr float largest_curvature = 1.5F;
-  constexpr float usually_fixed = 0.2F;     // the head, tail and seam of an animal
-  constexpr float largest_fixed = 0.35F;    // with limbs in contact
-  constexpr float usually_distorted = 0.2F; // limbs bent or in contact
-  const float distorted_beyond = std::max(0.0F, evidence.score.distorted - usually_distorted);
-  const float fixed_beyond = std::clamp(evidence.score.fixed, usually_fixed, largest_fixed) - usually_fixed;
-  // Involution, turn and average_distance grow with the coarseness of the samples and with a pose: they normalise the
-  // rest.
-  return logistic(-10.3F - 3.2F * std::log(evidence.signs.stretch + little_stretch) -
-                  1.5F * std::log(evidence.worst_distance + little_distance) -
-                  3.0F * std::log(evidence.fit.distance + tiny) + 1.3F * std::log(evidence.fit.turn + little_turn) +
-                  1.3F * std::log(evidence.signs.average_distance + little_change) +
-                  1.5F * std::log(evidence.signs.involution + tiny) -
-                  2.0F * std::min(evidence.rough_curvature, largest_curvature) - 25.6F * fixed_beyond -
-                  10.0F * distorted_beyond + evidenceFromGaps(evidence));
+  const MapCalibration& c = map_calibration;
+  const AsymmetryMeasures& measures = evidence.measures;
+  const float distorted_beyond = std::max(0.0F, evidence.score.distorted - c.usually_distorted);
+  const float fixed_beyond = std::clamp(evidence.score.fixed, c.usually_fixed, c.fixed_bound) - c.usually_fixed;
+  return logistic(c.bias + c.stretch * std::log(measures.stretch + c.stretch_floor) +
+                  c.worst_distance * std::log(evidence.worst_distance + c.distance_floor) +
+                  c.fit_distance * std::log(evidence.fit.distance + c.fit_floor) +
+                  c.turn * std::log(evidence.fit.turn + c.turn_floor) +
+                  c.average_distance * std::log(measures.average_distance + c.average_distance_floor) +
+                  c.involution * std::log(measures.involution + c.involution_floor) +
+                  c.curvature * std::min(evidence.rough_curvature, c.curvature_bound) + c.fixed * fixed_beyond +
+                  c.distorted * distorted_beyond + evidenceFromGaps(evidence));
 }
 
 float
 weightOfHoles(float at_holes)
 {
-  constexpr float few = 0.02F;
-  constexpr float many = 0.08F;
-  return std::clamp((at_holes - few) / (many - few), 0.0F, 1.0F);
+  const RefusalCalibration& c = refusal_calibration;
+  return std::clamp((at_holes - c.few_holes) / (c.many_holes - c.few_holes), 0.0F, 1.0F);
 }
 
 float
 leastMapConfidence(float known_holes)
 {
-  constexpr float usual = 0.35F;
-  constexpr float with_many_holes = 0.15F;
-  return usual - (usual - with_many_holes) * weightOfHoles(known_holes);
+  const RefusalCalibration& c = refusal_calibration;
+  return c.usual - (c.usual - c.with_many_holes) * weightOfHoles(known_holes);
 }
 
 std::pair<std::size_t, float>
