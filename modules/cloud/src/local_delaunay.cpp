@@ -25,13 +25,13 @@ projectNeighbours(const std::vector<Vector3>& points, const Vector3& n, const Su
   const Vector3 axis_x = normalized(cross(n, std::abs(n[0]) < 0.9F ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
   const Vector3 axis_y = cross(n, axis_x);
   std::vector<PlanePoint> projected;
-  for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-    const Vector3 offset = points[graph.neighbours[e]] - points[v];
-    PlanePoint p{dot(offset, axis_x), dot(offset, axis_y), 0.0F, graph.neighbours[e]};
+  for (const auto [w, length] : graph.edges(v)) {
+    const Vector3 offset = points[w] - points[v];
+    PlanePoint p{dot(offset, axis_x), dot(offset, axis_y), 0.0F, w};
     const float flat = std::hypot(p.x, p.y);
     if (flat > 0.0F) {
       // At its true distance: projecting would pull points on a bend towards the centre.
-      const float stretch = graph.lengths[e] / flat;
+      const float stretch = length / flat;
       p.x *= stretch;
       p.y *= stretch;
       p.angle = std::atan2(p.y, p.x);

@@ -217,15 +217,14 @@ takeInNearby(const std::vector<Vector3>& points,
   constexpr float hardly_farther = 2.0F;
   const std::vector<Index> before = representatives;
   for (std::size_t v = 0; v < points.size(); ++v) {
-    for (std::size_t i = v * lists.k; representatives[v] == no_index && i < (v + 1) * lists.k; ++i) {
-      const Index u = lists.neighbours[i];
-      if (u == no_index) {
-        break;
-      }
-      if (before[u] != no_index && distance(points[u], points[v]) <= hardly_farther * mean_distances[u]) {
-        representatives[v] = before[u];
-      }
+    if (representatives[v] != no_index) {
+      continue;
     }
+    const IndexRange around = lists.of(v);
+    const Index* const near = std::find_if(around.begin(), around.end(), [&](Index u) {
+      return before[u] != no_index && distance(points[u], points[v]) <= hardly_farther * mean_distances[u];
+    });
+    representatives[v] = near == around.end() ? no_index : before[*near];
   }
 }
 

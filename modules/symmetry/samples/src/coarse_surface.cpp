@@ -40,10 +40,9 @@ joinCells(const SurfaceGraph& graph, const FarthestPointSamples& cells)
 {
   std::vector<GraphEdge> edges;
   for (std::size_t v = 0; v < graph.size(); ++v) {
-    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-      const Index w = graph.neighbours[e];
+    for (const auto [w, length] : graph.edges(v)) {
       if (cells.owner[v] < cells.owner[w]) {
-        edges.push_back({cells.owner[v], cells.owner[w], cells.distance[v] + graph.lengths[e] + cells.distance[w]});
+        edges.push_back({cells.owner[v], cells.owner[w], cells.distance[v] + length + cells.distance[w]});
       }
     }
   }

@@ -37,8 +37,8 @@ widestGap(const PreparedSurface& surface, std::size_t v, std::vector<float>& ang
   const Vector3 axis_x = normalized(cross(n, std::abs(n[0]) < 0.9F ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
   const Vector3 axis_y = cross(n, axis_x);
   angles.clear();
-  for (std::uint32_t e = surface.graph.offsets[v]; e < surface.graph.offsets[v + 1]; ++e) {
-    const Vector3 offset = surface.points[surface.graph.neighbours[e]] - surface.points[v];
+  for (const Index w : surface.graph.neighboursOf(v)) {
+    const Vector3 offset = surface.points[w] - surface.points[v];
     angles.push_back(std::atan2(dot(offset, axis_y), dot(offset, axis_x)));
   }
   if (angles.empty()) {

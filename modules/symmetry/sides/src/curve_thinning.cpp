@@ -32,11 +32,10 @@ subgraph(const SurfaceGraph& graph, const std::vector<Index>& vertices, const st
   }
   std::vector<GraphEdge> edges;
   for (const Index v : vertices) {
-    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-      const Index w = graph.neighbours[e];
+    for (const auto [w, length] : graph.edges(v)) {
       if (v < w && number[w] != no_index) {
         const float stretch = factor.empty() ? 1.0F : 1.0F + 0.5F * (factor[v] + factor[w]);
-        edges.push_back({number[v], number[w], stretch * graph.lengths[e]});
+        edges.push_back({number[v], number[w], stretch * length});
       }
     }
   }
@@ -75,8 +74,8 @@ meanReach(const SurfaceGraph& graph)
   double sum = 0.0;
   for (std::size_t v = 0; v < graph.size(); ++v) {
     float longest = 0.0F;
-    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-      longest = std::max(longest, graph.lengths[e]);
+    for (const auto [w, length] : graph.edges(v)) {
+      longest = std::max(longest, length);
     }
     sum += longest;
   }

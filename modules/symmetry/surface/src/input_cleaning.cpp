@@ -168,15 +168,14 @@ dropFarParts(const std::vector<Vector3>& input,
   }
   const NeighbourLists lists = search(surface.points, parameters.k_search);
   const auto are_near = [&lists](Index of, Index v) {
-    const auto begin = lists.neighbours.begin() + static_cast<std::ptrdiff_t>(of * lists.k);
-    return std::find(begin, begin + static_cast<std::ptrdiff_t>(lists.k), v) !=
-           begin + static_cast<std::ptrdiff_t>(lists.k);
+    const IndexRange around = lists.of(of);
+    return std::find(around.begin(), around.end(), v) != around.end();
   };
   UnionFind parts(surface.size());
   for (std::size_t v = 0; v < surface.size(); ++v) {
-    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
-      if (are_near(lists.neighbours[i], static_cast<Index>(v))) { // a stray point has neighbours, but is nobody's
-        parts.join(static_cast<Index>(v), lists.neighbours[i]);
+    for (const Index u : lists.of(v)) {
+      if (are_near(u, static_cast<Index>(v))) { // a stray point has neighbours, but is nobody's
+        parts.join(static_cast<Index>(v), u);
       }
     }
   }
@@ -220,11 +219,10 @@ dropOutliers(PreparedSurface& surface, const SymmetryParameters& parameters, con
   double sum = 0.0;
   double sum_of_squares = 0.0;
   for (std::size_t v = 0; v < surface.size(); ++v) {
-    std::size_t found = 0;
-    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i, ++found) {
-      mean_distance[v] += distance(surface.points[v], surface.points[lists.neighbours[i]]);
+    for (const Index u : lists.of(v)) {
+      mean_distance[v] += distance(surface.points[v], surface.points[u]);
     }
-    mean_distance[v] /= static_cast<double>(std::max<std::size_t>(found, 1));
+    mean_distance[v] /= static_cast<double>(std::max<std::size_t>(lists.of(v).size(), 1));
     sum += mean_distance[v];
     sum_of_squares += mean_distance[v] * mean_distance[v];
   }

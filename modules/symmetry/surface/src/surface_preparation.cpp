@@ -45,9 +45,9 @@ keepLargestComponent(PreparedSurface& surface)
   SurfaceGraph graph;
   for (std::size_t v = 0; v < surface.size(); ++v) {
     if (keep[v] != 0) {
-      for (std::uint32_t e = surface.graph.offsets[v]; e < surface.graph.offsets[v + 1]; ++e) {
-        graph.neighbours.push_back(new_number[surface.graph.neighbours[e]]);
-        graph.lengths.push_back(surface.graph.lengths[e]);
+      for (const auto [w, length] : surface.graph.edges(v)) {
+        graph.neighbours.push_back(new_number[w]);
+        graph.lengths.push_back(length);
       }
       graph.offsets.push_back(static_cast<std::uint32_t>(graph.neighbours.size()));
     }
