@@ -1,6 +1,8 @@
 #include "cloud/local_delaunay.h"
 
 #include "base/parallel.h"
+#include "base/renumbering.h"
+#include "base/tangent_frame.h"
 #include "base/vector_math.h"
 
 #include <algorithm>
@@ -22,8 +24,7 @@ struct PlanePoint {
 std::vector<PlanePoint>
 projectNeighbours(const std::vector<Vector3>& points, const Vector3& n, const SurfaceGraph& graph, std::size_t v)
 {
-  const Vector3 axis_x = normalized(cross(n, std::abs(n[0]) < 0.9F ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
-  const Vector3 axis_y = cross(n, axis_x);
+  const auto [axis_x, axis_y] = tangentFrame(n);
   std::vector<PlanePoint> projected;
   for (const auto [w, length] : graph.edges(v)) {
     const Vector3 offset = points[w] - points[v];
@@ -78,13 +79,6 @@ keepDelaunayNeighbours(std::vector<PlanePoint>& ring)
       unchanged = 0;
     }
   }
-}
-
-Triangle
-lowestFirst(Triangle t)
-{
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  return t;
 }
 
 /** Calls visit (a, b) for every two neighbours that form a triangle with the centre; gaps of more than 150 degrees stay

@@ -1,6 +1,7 @@
 #include "symmetry/samples/sample_interpolation.h"
 
 #include "base/parallel.h"
+#include "base/tangent_frame.h"
 #include "base/vector_math.h"
 
 #include <Eigen/LU>
@@ -20,9 +21,7 @@ fitWeights(const CoarseSurface& coarse,
            std::size_t count,
            float* weights)
 {
-  const Vector3& n = coarse.normals[owner];
-  const Vector3 u = normalized(cross(n, std::abs(n[0]) < 0.9F ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
-  const Vector3 v = cross(n, u);
+  const auto [u, v] = tangentFrame(coarse.normals[owner]);
   float radius = 0.0F;
   for (std::size_t i = 1; i < count; ++i) {
     radius += distance(coarse.points[samples[i]], coarse.points[owner]);

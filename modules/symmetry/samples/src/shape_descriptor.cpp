@@ -1,5 +1,6 @@
 #include "symmetry/samples/shape_descriptor.h"
 
+#include "base/tangent_frame.h"
 #include "base/vector_math.h"
 
 #include <Eigen/LU>
@@ -25,9 +26,7 @@ standardize(Eigen::MatrixXf& part, float weight)
 Eigen::MatrixXf
 tangentGradient(const CoarseSurface& surface, std::size_t sample, const Eigen::MatrixXf& values)
 {
-  const Vector3& n = surface.normals[sample];
-  const Vector3 u = normalized(cross(n, std::abs(n[0]) < 0.9F ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
-  const Vector3 v = cross(n, u);
+  const auto [u, v] = tangentFrame(surface.normals[sample]);
   Eigen::Matrix2f normal_matrix = Eigen::Matrix2f::Zero();
   Eigen::MatrixXf right_side = Eigen::MatrixXf::Zero(2, values.cols());
   for (const auto [other, geodesic] : surface.graph.edges(sample)) {

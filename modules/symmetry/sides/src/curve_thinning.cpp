@@ -1,5 +1,6 @@
 #include "symmetry/sides/curve_thinning.h"
 
+#include "base/renumbering.h"
 #include "geodesic/shortest_paths.h"
 
 #include <algorithm>
@@ -41,17 +42,6 @@ subgraph(const SurfaceGraph& graph, const std::vector<Index>& vertices, const st
   }
   part.graph = buildGraph(vertices.size(), edges);
   return part;
-}
-
-std::vector<Index>
-translate(const std::vector<Index>& vertices, const std::vector<Index>& original)
-{
-  std::vector<Index> translated;
-  translated.reserve(vertices.size());
-  for (const Index v : vertices) {
-    translated.push_back(original[v]);
-  }
-  return translated;
 }
 
 /** The vertex with the largest finite distance. */
@@ -119,7 +109,7 @@ public:
     const std::vector<Index> back = wayBack(part, plain.graph, path, from_p);
     curve.closed = !back.empty();
     path.insert(path.end(), back.begin(), back.end());
-    curve.points = translate(path, part);
+    curve.points = renumbered(path, part);
     removeTube(part, distanceField(plain.graph, path));
     return curve;
   }
@@ -159,8 +149,8 @@ private:
     if (first == no_index || last == no_index) {
       return {};
     }
-    const Subgraph around = subgraph(graph_, translate(open, part), factor_);
-    std::vector<Index> back = translate(shortestPath(around.graph, last, first), open);
+    const Subgraph around = subgraph(graph_, renumbered(open, part), factor_);
+    std::vector<Index> back = renumbered(shortestPath(around.graph, last, first), open);
     if (back.size() <= 2) {
       return {};
     }

@@ -1,6 +1,8 @@
 #include "symmetry/surface/input_cleaning.h"
 
+#include "base/bounding_box.h"
 #include "base/coincident_points.h"
+#include "base/renumbering.h"
 #include "base/statistics.h"
 #include "base/union_find.h"
 #include "base/vector_math.h"
@@ -72,51 +74,8 @@ dropStrayPoints(PreparedSurface& surface)
   }
 }
 
-/** The corners of a box around points. */
-struct Box {
-  std::array<double, 3> low{infinity, infinity, infinity};
-  std::array<double, 3> high{-infinity, -infinity, -infinity};
-
-  void
-  extend(const Vector3& p)
-  {
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], double{p[k]});
-      high[k] = std::max(high[k], double{p[k]});
-    }
-  }
-
-  double
-  longestSide() const
-  {
-    return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-  }
-
-  /** Along the axis on which it is farthest away; not above 0 inside. */
-  double
-  distanceTo(const Vector3& p) const
-  {
-    double farthest = -infinity;
-    for (int k = 0; k < 3; ++k) {
-      farthest = std::max({farthest, low[k] - p[k], p[k] - high[k]});
-    }
-    return farthest;
-  }
-
-private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-};
-
-Box
-boxOf(const std::vector<Vector3>& points)
-{
-  Box box;
-  std::for_each(points.begin(), points.end(), [&box](const Vector3& p) { box.extend(p); });
-  return box;
-}
-
 /** Box of a mesh's largest component, since the others take no part; points that no face uses do not either. */
-Box
+BoundingBox
 boxOfLargestComponent(const PreparedSurface& surface)
 {
   UnionFind components(surface.size());
@@ -125,7 +84,7 @@ boxOfLargestComponent(const PreparedSurface& surface)
     components.join(t[1], t[2]);
   }
   const Index largest = components.largest();
-  Box box;
+  BoundingBox box;
   for (const Triangle& t : surface.triangles) {
     if (components.find(t[0]) == largest) {
       std::for_each(t.begin(), t.end(), [&](Index v) { box.extend(surface.points[v]); });
@@ -139,12 +98,13 @@ boxOfLargestComponent(const PreparedSurface& surface)
 void
 normalizeScale(PreparedSurface& surface)
 {
-  const Box box = surface.triangles.empty() ? boxOf(surface.points) : boxOfLargestComponent(surface);
+  const BoundingBox box = surface.triangles.empty() ? boundingBox(surface.points) : boxOfLargestComponent(surface);
   const double extent = box.longestSide();
   const double scale = extent > 0.0 ? 1.0 / extent : 1.0;
+  const std::array<double, 3> centre = box.centre();
   for (Vector3& p : surface.points) {
-    for (int k = 0; k < 3; ++k) {
-      p[k] = static_cast<float>((p[k] - 0.5 * (box.low[k] + box.high[k])) * scale);
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k] = static_cast<float>((p[k] - centre[k]) * scale);
     }
   }
   surface.scale = static_cast<float>(scale);
@@ -163,7 +123,7 @@ dropFarParts(const std::vector<Vector3>& input,
   constexpr double suspicious = 8.0; // box over median distance from the middle; of one body two to five
   constexpr std::size_t fewest = 20; // fewer points are no part of their own
   if (surface.size() == 0 ||
-      suspicious * median(distancesFromMiddle(surface.points)) >= boxOf(surface.points).longestSide()) {
+      suspicious * median(distancesFromMiddle(surface.points)) >= boundingBox(surface.points).longestSide()) {
     return;
   }
   const NeighbourLists lists = search(surface.points, parameters.k_search);
@@ -180,7 +140,7 @@ dropFarParts(const std::vector<Vector3>& input,
     }
   }
   const Index largest = parts.largest();
-  Box box;
+  BoundingBox box;
   std::vector<std::size_t> sizes(surface.size(), 0);
   for (std::size_t v = 0; v < surface.size(); ++v) {
     const Index part = parts.find(static_cast<Index>(v));
@@ -250,12 +210,8 @@ mergeRepeatedPoints(PreparedSurface& surface)
   if (std::find(keep.begin(), keep.end(), 0) == keep.end()) {
     return;
   }
-  for (Index& representative : surface.representatives) {
-    representative = representative == no_index ? no_index : first[representative];
-  }
-  for (Triangle& t : surface.triangles) {
-    t = {first[t[0]], first[t[1]], first[t[2]]};
-  }
+  renumber(surface.representatives, first);
+  renumberTriangles(surface.triangles, first);
   keepPoints(surface, keep);
 }
 
@@ -276,9 +232,7 @@ reduceCloud(UsablePoints& usable,
   }
   surface.summary.smoothing_radius = working.smoothing_radius / surface.scale;
   const std::size_t left_out_before = countLeftOut(surface);
-  for (Index& representative : surface.representatives) {
-    representative = representative == no_index ? no_index : working.representatives[representative];
-  }
+  renumber(surface.representatives, working.representatives);
   surface.summary.outliers += countLeftOut(surface) - left_out_before;
   std::vector<Index> original;
   std::vector<Vector3> normals;
