@@ -5,6 +5,7 @@
 
 #include "geodesic/surface_graph.h"
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -16,6 +17,14 @@ namespace symmetry {
 struct NeighbourLists {
   std::size_t k = 0;
   std::vector<Index> neighbours;
+
+  /** \brief The neighbours that were found of one point, perhaps itself among them. */
+  IndexRange
+  of(std::size_t v) const
+  {
+    const Index* const first = neighbours.data() + v * k;
+    return {first, std::find(first, first + k, no_index)};
+  }
 };
 
 /** \brief Searches the k nearest neighbours of every point, each on any thread. */

@@ -3,14 +3,79 @@
  */
 #pragma once
 
+#include "base/index_range.h"
+
 #include <pcl/symmetry/surface.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace pcl {
 namespace symmetry {
+
+/** \brief Where an edge of a vertex leads, and how long it is. */
+struct EdgeEnd {
+  Index vertex = no_index;
+  float length = 0.0F;
+};
+
+/** \brief The edges of one vertex of a graph that outlives the range, in the order of the vertices that they lead to:
+ * for (const auto [neighbour, length] : graph.edges (v)). */
+class EdgeRange {
+public:
+  class Iterator {
+  public:
+    Iterator(const Index* vertex, const float* length) : vertex_(vertex), length_(length)
+    {
+    }
+
+    EdgeEnd
+    operator*() const
+    {
+      return {*vertex_, *length_};
+    }
+
+    Iterator&
+    operator++()
+    {
+      ++vertex_;
+      ++length_;
+      return *this;
+    }
+
+    bool
+    operator!=(const Iterator& other) const
+    {
+      return vertex_ != other.vertex_;
+    }
+
+  private:
+    const Index* vertex_;
+    const float* length_;
+  };
+
+  EdgeRange(IndexRange vertices, const float* lengths) : vertices_(vertices), lengths_(lengths)
+  {
+  }
+
+  Iterator
+  begin() const
+  {
+    return {vertices_.begin(), lengths_};
+  }
+
+  Iterator
+  end() const
+  {
+    return {vertices_.end(), lengths_ + vertices_.size()};
+  }
+
+private:
+  IndexRange vertices_;
+  const float* lengths_;
+};
 
 /** \brief Undirected weighted graph: the edges of vertex v are entries [offsets[v], offsets[v + 1]). */
 struct SurfaceGraph {
@@ -22,6 +87,27 @@ struct SurfaceGraph {
   size() const
   {
     return offsets.size() - 1;
+  }
+
+  /** \brief The vertices that edges lead to from one. */
+  IndexRange
+  neighboursOf(std::size_t v) const
+  {
+    return {neighbours.data() + offsets[v], neighbours.data() + offsets[v + 1]};
+  }
+
+  /** \brief The same with the lengths of the edges. */
+  EdgeRange
+  edges(std::size_t v) const
+  {
+    return {neighboursOf(v), lengths.data() + offsets[v]};
+  }
+
+  /** \brief Number of edges of a vertex. */
+  std::size_t
+  degree(std::size_t v) const
+  {
+    return offsets[v + 1] - offsets[v];
   }
 };
 

@@ -27,4 +27,13 @@ TEST(Quantile, HasThatShareOfTheNumbersBelowIt)
   EXPECT_EQ(quantile(std::vector<int>{}, 0.5), 0);
 }
 
+TEST(Quantile, InPlaceIsTheSameNumber)
+{
+  std::vector<int> numbers{9, 3, 7, 1, 5};
+  EXPECT_EQ(quantileInPlace(numbers, 0.25), quantile(std::vector<int>{9, 3, 7, 1, 5}, 0.25));
+  EXPECT_EQ(medianInPlace(numbers), 5);
+  std::sort(numbers.begin(), numbers.end());
+  EXPECT_EQ(numbers, (std::vector<int>{1, 3, 5, 7, 9})); // none lost, none twice
+}
+
 } // namespace

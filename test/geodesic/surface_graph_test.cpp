@@ -49,6 +49,32 @@ TEST(EdgeLength, IsInfiniteWhereThereIsNoEdge)
   EXPECT_FALSE(areNeighbours(grid, 0, 0));
 }
 
+TEST(SurfaceGraph, GivesTheEdgesOfAVertex)
+{
+  const SurfaceGraph graph = buildGraph(4, {{1, 0, 0.5F}, {1, 3, 2.5F}});
+  std::vector<Index> neighbours;
+  std::vector<float> lengths;
+  for (const auto [neighbour, length] : graph.edges(1)) {
+    neighbours.push_back(neighbour);
+    lengths.push_back(length);
+  }
+  EXPECT_EQ(neighbours, (std::vector<Index>{0, 3}));
+  EXPECT_EQ(lengths, (std::vector<float>{0.5F, 2.5F}));
+  EXPECT_EQ(std::vector<Index>(graph.neighboursOf(3).begin(), graph.neighboursOf(3).end()), (std::vector<Index>{1}));
+  EXPECT_EQ(graph.degree(1), 2U);
+  EXPECT_TRUE(graph.neighboursOf(2).empty());
+  EXPECT_FALSE(graph.edges(2).begin() != graph.edges(2).end());
+}
+
+TEST(NeighbourLists, EndWhereFewerWereFound)
+{
+  const NeighbourLists lists{2, {0, 1, 2, no_index, no_index, no_index}};
+  EXPECT_EQ(lists.of(0).size(), 2U);
+  EXPECT_EQ(lists.of(0)[1], 1);
+  EXPECT_EQ(std::vector<Index>(lists.of(1).begin(), lists.of(1).end()), (std::vector<Index>{2}));
+  EXPECT_TRUE(lists.of(2).empty());
+}
+
 TEST(ConnectedComponents, AreOrderedBySizeThenByLowestVertex)
 {
   const Components components =

@@ -17,10 +17,9 @@ namespace {
 Vector3
 planeNormal(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v)
 {
-  const Index* neighbours = lists.neighbours.data() + v * lists.k;
   float farthest = 0.0F;
-  for (std::size_t i = 0; i < lists.k && neighbours[i] != no_index; ++i) {
-    farthest = std::max(farthest, distance(points[neighbours[i]], points[v]));
+  for (const Index u : lists.of(v)) {
+    farthest = std::max(farthest, distance(points[u], points[v]));
   }
   Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
@@ -35,9 +34,9 @@ planeNormal(const std::vector<Vector3>& points, const NeighbourLists& lists, std
     total += weight;
   };
   add(points[v]);
-  for (std::size_t i = 0; i < lists.k && neighbours[i] != no_index; ++i) {
-    if (static_cast<std::size_t>(neighbours[i]) != v) {
-      add(points[neighbours[i]]);
+  for (const Index u : lists.of(v)) {
+    if (static_cast<std::size_t>(u) != v) {
+      add(points[u]);
     }
   }
   covariance -= mean * mean.transpose() / total;
@@ -97,8 +96,7 @@ orientNormals(const std::vector<Vector3>& points,
   std::priority_queue<Front> front;
   const auto settle = [&](Index v) {
     done[v] = 1;
-    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-      const Index w = graph.neighbours[e];
+    for (const Index w : graph.neighboursOf(v)) {
       if (done[w] == 0) {
         front.push({edgeDoubt(normals[v], normals[w], normalized(points[w] - points[v])), v, w});
       }

@@ -30,9 +30,9 @@ edgesOf(const SurfaceGraph& graph)
   std::vector<GraphEdge> edges;
   edges.reserve(graph.neighbours.size() / 2);
   for (std::size_t v = 0; v < graph.size(); ++v) {
-    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-      if (static_cast<std::size_t>(graph.neighbours[e]) > v) {
-        edges.push_back({static_cast<Index>(v), graph.neighbours[e], graph.lengths[e]});
+    for (const auto [w, length] : graph.edges(v)) {
+      if (static_cast<std::size_t>(w) > v) {
+        edges.push_back({static_cast<Index>(v), w, length});
       }
     }
   }
@@ -47,11 +47,7 @@ localSpacing(const SurfaceGraph& graph)
   std::vector<float> lengths;
   for (std::size_t v = 0; v < graph.size(); ++v) {
     lengths.assign(graph.lengths.begin() + graph.offsets[v], graph.lengths.begin() + graph.offsets[v + 1]);
-    if (!lengths.empty()) {
-      const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-      std::nth_element(lengths.begin(), middle, lengths.end());
-      spacing[v] = *middle;
-    }
+    spacing[v] = medianInPlace(lengths);
   }
   return spacing;
 }
@@ -218,9 +214,8 @@ public:
         continue;
       }
       found = v == to;
-      for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
-        const Index next = graph_.neighbours[e];
-        const float through = d + graph_.lengths[e];
+      for (const auto [next, length] : graph_.edges(v)) {
+        const float through = d + length;
         if (through <= limit && through < distance_[next]) {
           const float whole = through + distance(points_[next], points_[to]);
           if (whole <= rounding * limit) {

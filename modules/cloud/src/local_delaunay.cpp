@@ -1,6 +1,8 @@
 #include "cloud/local_delaunay.h"
 
 #include "base/parallel.h"
+#include "base/renumbering.h"
+#include "base/tangent_frame.h"
 #include "base/vector_math.h"
 
 #include <algorithm>
@@ -22,16 +24,15 @@ struct PlanePoint {
 std::vector<PlanePoint>
 projectNeighbours(const std::vector<Vector3>& points, const Vector3& n, const SurfaceGraph& graph, std::size_t v)
 {
-  const Vector3 axis_x = normalized(cross(n, std::abs(n[0]) < 0.9F ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
-  const Vector3 axis_y = cross(n, axis_x);
+  const auto [axis_x, axis_y] = tangentFrame(n);
   std::vector<PlanePoint> projected;
-  for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-    const Vector3 offset = points[graph.neighbours[e]] - points[v];
-    PlanePoint p{dot(offset, axis_x), dot(offset, axis_y), 0.0F, graph.neighbours[e]};
+  for (const auto [w, length] : graph.edges(v)) {
+    const Vector3 offset = points[w] - points[v];
+    PlanePoint p{dot(offset, axis_x), dot(offset, axis_y), 0.0F, w};
     const float flat = std::hypot(p.x, p.y);
     if (flat > 0.0F) {
       // At its true distance: projecting would pull points on a bend towards the centre.
-      const float stretch = graph.lengths[e] / flat;
+      const float stretch = length / flat;
       p.x *= stretch;
       p.y *= stretch;
       p.angle = std::atan2(p.y, p.x);
@@ -78,13 +79,6 @@ keepDelaunayNeighbours(std::vector<PlanePoint>& ring)
       unchanged = 0;
     }
   }
-}
-
-Triangle
-lowestFirst(Triangle t)
-{
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  return t;
 }
 
 /** Calls visit (a, b) for every two neighbours that form a triangle with the centre; gaps of more than 150 degrees stay

@@ -85,9 +85,9 @@ neighboursOnOwnSheet(const NeighbourLists& lists, const std::vector<Vector3>& no
   own.neighbours.assign(normals.size() * k, no_index);
   for (std::size_t v = 0; v < normals.size(); ++v) {
     std::size_t found = 0;
-    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && found < k && lists.neighbours[i] != no_index; ++i) {
-      if (dot(normals[v], normals[lists.neighbours[i]]) > opposed) {
-        own.neighbours[v * k + found++] = lists.neighbours[i];
+    for (const Index u : lists.of(v)) {
+      if (found < k && dot(normals[v], normals[u]) > opposed) {
+        own.neighbours[v * k + found++] = u;
       }
     }
   }

@@ -21,15 +21,14 @@ findLonely(const NeighbourLists& lists, const std::vector<float>& mean_distance)
   std::vector<float> around;
   for (std::size_t v = 0; v < mean_distance.size(); ++v) {
     around.clear();
-    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
-      if (static_cast<std::size_t>(lists.neighbours[i]) != v) {
-        around.push_back(mean_distance[lists.neighbours[i]]);
+    for (const Index u : lists.of(v)) {
+      if (static_cast<std::size_t>(u) != v) {
+        around.push_back(mean_distance[u]);
       }
     }
     if (!around.empty()) {
-      const auto quartile = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 4);
-      std::nth_element(around.begin(), quartile, around.end());
-      outlier[v] = static_cast<char>(*quartile > 0.0F && mean_distance[v] > farther * *quartile);
+      const float quartile = quantileInPlace(around, 0.25);
+      outlier[v] = static_cast<char>(quartile > 0.0F && mean_distance[v] > farther * quartile);
     }
   }
   return outlier;
@@ -46,9 +45,9 @@ neighbourhood(const std::vector<Vector3>& points, const NeighbourLists& lists, s
 {
   Neighbourhood around;
   float number = weight_of_itself;
-  for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
-    if (static_cast<std::size_t>(lists.neighbours[i]) != v) {
-      const Vector3 offset = points[lists.neighbours[i]] - points[v];
+  for (const Index u : lists.of(v)) {
+    if (static_cast<std::size_t>(u) != v) {
+      const Vector3 offset = points[u] - points[v];
       const Eigen::Vector3f x(offset[0], offset[1], offset[2]);
       around.mean += x;
       around.covariance += x * x.transpose();
@@ -99,8 +98,8 @@ markBesideSurface(const std::vector<Vector3>& points,
   constexpr int hardly_any = 2;
   std::vector<int> times_a_neighbour(points.size(), 0);
   for (std::size_t v = 0; v < points.size(); ++v) {
-    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
-      times_a_neighbour[lists.neighbours[i]] += static_cast<std::size_t>(lists.neighbours[i]) != v ? 1 : 0;
+    for (const Index u : lists.of(v)) {
+      times_a_neighbour[u] += static_cast<std::size_t>(u) != v ? 1 : 0;
     }
   }
   for (std::size_t v = 0; v < points.size(); ++v) {
@@ -132,12 +131,11 @@ spread(const NeighbourLists& lists, std::vector<char>& stray)
   for (int round = 0; round < rounds; ++round) {
     const std::vector<char> before = stray;
     for (std::size_t v = 0; v < stray.size(); ++v) {
-      std::size_t found = 0;
       std::size_t marked = 0;
-      for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i, ++found) {
-        marked += static_cast<std::size_t>(before[lists.neighbours[i]]);
+      for (const Index u : lists.of(v)) {
+        marked += static_cast<std::size_t>(before[u]);
       }
-      if (2 * marked > found) {
+      if (2 * marked > lists.of(v).size()) {
         stray[v] = 1;
       }
     }
@@ -151,11 +149,10 @@ neighbourDistances(const std::vector<Vector3>& points, const NeighbourLists& lis
 {
   std::vector<float> mean(points.size(), 0.0F);
   for (std::size_t v = 0; v < points.size(); ++v) {
-    std::size_t found = 0;
-    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i, ++found) {
-      mean[v] += distance(points[v], points[lists.neighbours[i]]);
+    for (const Index u : lists.of(v)) {
+      mean[v] += distance(points[v], points[u]);
     }
-    mean[v] /= static_cast<float>(std::max<std::size_t>(found, 1));
+    mean[v] /= static_cast<float>(std::max<std::size_t>(lists.of(v).size(), 1));
   }
   return mean;
 }

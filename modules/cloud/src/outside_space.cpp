@@ -1,10 +1,11 @@
 #include "cloud/outside_space.h"
 
+#include "base/bounding_box.h"
+#include "base/tangent_frame.h"
 #include "base/vector_math.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl {
 namespace symmetry {
@@ -12,19 +13,17 @@ namespace symmetry {
 OutsideSpace::OutsideSpace(const std::vector<Surfel>& surfels, float cube) : cube_(cube)
 {
   constexpr double most_cubes = 1.6e7;
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  low_ = {infinity, infinity, infinity};
-  Vector3 high{-infinity, -infinity, -infinity};
+  BoundingBox box;
   for (const Surfel& surfel : surfels) {
-    for (int k = 0; k < 3; ++k) {
-      low_[k] = std::min(low_[k], surfel.centre[k] - surfel.radius);
-      high[k] = std::max(high[k], surfel.centre[k] + surfel.radius);
-    }
+    const Vector3 reach{surfel.radius, surfel.radius, surfel.radius};
+    box.extend(surfel.centre - reach);
+    box.extend(surfel.centre + reach);
   }
+  low_ = box.low;
   const auto cubes_of_edge = [&](float edge) {
     double product = 1.0;
     for (int k = 0; k < 3; ++k) {
-      product *= std::ceil(double{high[k] - low_[k]} / double{edge}) + 2.0;
+      product *= std::ceil(double{box.high[k] - low_[k]} / double{edge}) + 2.0;
     }
     return product;
   };
@@ -35,7 +34,7 @@ OutsideSpace::OutsideSpace(const std::vector<Surfel>& surfels, float cube) : cub
   for (int k = 0; k < 3; ++k) {
     low_[k] -= cube_;
   }
-  counts_ = cubeAt(high);
+  counts_ = cubeAt(box.high);
   for (std::ptrdiff_t& count : counts_) {
     count += 2;
   }
@@ -78,10 +77,8 @@ OutsideSpace::number(const std::array<std::ptrdiff_t, 3>& c) const
 void
 OutsideSpace::occupy(const Surfel& surfel)
 {
-  const Vector3& n = surfel.normal;
-  const Vector3 across = std::abs(n[0]) < 0.6F ? Vector3{1.0F, 0.0F, 0.0F} : Vector3{0.0F, 1.0F, 0.0F};
-  const Vector3 u = normalized(cross(n, across));
-  const Vector3 v = cross(n, u);
+  constexpr float steep = 0.6F;
+  const auto [u, v] = tangentFrame(surfel.normal, steep);
   const auto steps = static_cast<int>(std::ceil(2.0F * surfel.radius / cube_));
   const float step = surfel.radius / static_cast<float>(std::max(1, steps));
   for (int i = -steps; i <= steps; ++i) {

@@ -1,6 +1,7 @@
 #include "cloud/resampled_cloud.h"
 
 #include "base/parallel.h"
+#include "base/renumbering.h"
 #include "base/statistics.h"
 #include "base/vector_math.h"
 #include "cloud/cloud_normals.h"
@@ -85,16 +86,6 @@ allPoints(const std::vector<Vector3>& points)
   return all;
 }
 
-template <typename Value>
-void
-keepEntries(std::vector<Value>& values, const std::vector<Index>& kept)
-{
-  for (std::size_t i = 0; i < kept.size(); ++i) { // ascending: nothing is overwritten that is still needed
-    values[i] = values[kept[i]];
-  }
-  values.resize(kept.size());
-}
-
 /** Goes over to the given entries. \param[in] stand_in for every entry now: which of those stands for it */
 void
 select(Selection& selection, const std::vector<Index>& kept, const std::vector<Index>& stand_in)
@@ -104,9 +95,7 @@ select(Selection& selection, const std::vector<Index>& kept, const std::vector<I
   if (!selection.normals.empty()) {
     keepEntries(selection.normals, kept);
   }
-  for (Index& entry : selection.nearest) {
-    entry = entry == no_index ? no_index : stand_in[entry];
-  }
+  renumber(selection.nearest, stand_in);
 }
 
 void
@@ -217,15 +206,14 @@ takeInNearby(const std::vector<Vector3>& points,
   constexpr float hardly_farther = 2.0F;
   const std::vector<Index> before = representatives;
   for (std::size_t v = 0; v < points.size(); ++v) {
-    for (std::size_t i = v * lists.k; representatives[v] == no_index && i < (v + 1) * lists.k; ++i) {
-      const Index u = lists.neighbours[i];
-      if (u == no_index) {
-        break;
-      }
-      if (before[u] != no_index && distance(points[u], points[v]) <= hardly_farther * mean_distances[u]) {
-        representatives[v] = before[u];
-      }
+    if (representatives[v] != no_index) {
+      continue;
     }
+    const IndexRange around = lists.of(v);
+    const Index* const near = std::find_if(around.begin(), around.end(), [&](Index u) {
+      return before[u] != no_index && distance(points[u], points[v]) <= hardly_farther * mean_distances[u];
+    });
+    representatives[v] = near == around.end() ? no_index : before[*near];
   }
 }
 

@@ -21,9 +21,9 @@ public:
     constexpr float thickness = 0.3F; // of a sheet, in mean distances of the neighbours
     offsets_.clear();
     float sum = 0.0F;
-    for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
-      if (static_cast<std::size_t>(lists.neighbours[i]) != v) {
-        offsets_.push_back(points[lists.neighbours[i]] - points[v]);
+    for (const Index u : lists.of(v)) {
+      if (static_cast<std::size_t>(u) != v) {
+        offsets_.push_back(points[u] - points[v]);
         sum += norm(offsets_.back());
       }
     }
@@ -83,11 +83,11 @@ bilateralMean(const NeighbourLists& lists, const std::vector<Vector3>& normals, 
 {
   constexpr float difference = 0.1F; // one less the cosine: some 26 degrees
   Vector3 sum = normals[v];
-  for (std::size_t i = v * lists.k; i < (v + 1) * lists.k && lists.neighbours[i] != no_index; ++i) {
-    if (static_cast<std::size_t>(lists.neighbours[i]) != v) {
-      const float cosine = dot(normals[v], normals[lists.neighbours[i]]);
+  for (const Index u : lists.of(v)) {
+    if (static_cast<std::size_t>(u) != v) {
+      const float cosine = dot(normals[v], normals[u]);
       const float weight = std::exp((std::abs(cosine) - 1.0F) / difference);
-      sum = sum + std::copysign(weight, cosine) * normals[lists.neighbours[i]];
+      sum = sum + std::copysign(weight, cosine) * normals[u];
     }
   }
   return normalized(sum);

@@ -177,9 +177,7 @@ fewestAround(const std::vector<Vector3>& points, float radius)
     gatherAround(points, grid, place, radius, around);
     numbers.push_back(around.size());
   }
-  const auto tenth = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 10);
-  std::nth_element(numbers.begin(), tenth, numbers.end());
-  return *tenth;
+  return quantile(std::move(numbers), 0.1);
 }
 
 /** Moves a place onto its sheet; the share of the weight of all points around that is within the sheet.

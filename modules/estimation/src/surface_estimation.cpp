@@ -1,3 +1,4 @@
+#include "base/renumbering.h"
 #include "base/vector_math.h"
 #include "neighbour_search.h"
 #include "refuse_argument.h"
@@ -68,32 +69,9 @@ selectPoints(const Surface& surface, const std::vector<Index>& selection)
       selected.normals.push_back(surface.normals[v]);
     }
   }
-  for (const Triangle& t : surface.triangles) {
-    const Triangle renumbered{new_number[t[0]], new_number[t[1]], new_number[t[2]]};
-    if (renumbered[0] != no_index && renumbered[1] != no_index && renumbered[2] != no_index) {
-      selected.triangles.push_back(renumbered);
-    }
-  }
+  selected.triangles = surface.triangles;
+  renumberTriangles(selected.triangles, new_number);
   return selected;
-}
-
-void
-renumber(std::vector<Index>& indices, const std::vector<Index>& selection)
-{
-  for (Index& v : indices) {
-    v = v == no_index ? no_index : selection[v];
-  }
-}
-
-template <typename Value>
-void
-scatter(std::vector<Value>& values, const std::vector<Index>& selection, std::size_t size, Value none)
-{
-  std::vector<Value> scattered(size, none);
-  for (std::size_t i = 0; i < selection.size(); ++i) {
-    scattered[selection[i]] = values[i];
-  }
-  values = std::move(scattered);
 }
 
 /** Makes a result about selected points one about all points. */

@@ -43,9 +43,9 @@ MinPlusFactor::sortEdges()
   for (std::size_t p = 0; p < graph_.size(); ++p) {
     edge_begin_[p] = count;
     const Index v = dissection_.order[p];
-    for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
-      const std::uint32_t other = position_[graph_.neighbours[e]];
-      edges_[count] = {other, graph_.lengths[e]};
+    for (const auto [w, length] : graph_.edges(v)) {
+      const std::uint32_t other = position_[w];
+      edges_[count] = {other, length};
       count += other > p ? 1U : 0U;
     }
   }

@@ -283,8 +283,7 @@ private:
       return; // no surface: a few vertices less would not help
     }
     for (const Index v : below) {
-      for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
-        const Index w = graph_.neighbours[e];
+      for (const Index w : graph_.neighboursOf(v)) {
         if (layer_[w] >= first_above && !(number_[w] < above.size() && above[number_[w]] == w)) {
           number_[w] = static_cast<std::uint32_t>(above.size());
           above.push_back(w);
@@ -293,9 +292,9 @@ private:
     }
     const auto edges_of = [&](std::uint32_t i, auto use) {
       const Index v = below[i];
-      for (std::uint32_t e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
-        if (layer_[graph_.neighbours[e]] >= first_above) {
-          use(number_[graph_.neighbours[e]]);
+      for (const Index w : graph_.neighboursOf(v)) {
+        if (layer_[w] >= first_above) {
+          use(number_[w]);
         }
       }
     };

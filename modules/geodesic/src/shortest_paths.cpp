@@ -23,10 +23,9 @@ predecessor(const SurfaceGraph& graph, const float* field, Index v)
 {
   Index best = no_index;
   float least = unreachable;
-  for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-    const Index w = graph.neighbours[e];
-    if (field[w] < field[v] && field[w] + graph.lengths[e] < least) {
-      least = field[w] + graph.lengths[e];
+  for (const auto [w, length] : graph.edges(v)) {
+    if (field[w] < field[v] && field[w] + length < least) {
+      least = field[w] + length;
       best = w;
     }
   }

@@ -87,26 +87,23 @@ buildMeshGraph(const std::vector<Vector3>& points, const std::vector<Triangle>& 
 std::size_t
 edgeNumber(const SurfaceGraph& graph, Index from, Index to)
 {
-  const auto begin = graph.neighbours.begin() + graph.offsets[from];
-  const auto end = graph.neighbours.begin() + graph.offsets[from + 1];
-  return static_cast<std::size_t>(std::lower_bound(begin, end, to) - graph.neighbours.begin());
+  const IndexRange ends = graph.neighboursOf(from);
+  return static_cast<std::size_t>(std::lower_bound(ends.begin(), ends.end(), to) - graph.neighbours.data());
 }
 
 float
 edgeLength(const SurfaceGraph& graph, Index a, Index b)
 {
-  const auto begin = graph.neighbours.begin() + graph.offsets[a];
-  const auto end = graph.neighbours.begin() + graph.offsets[a + 1];
-  const auto edge = std::lower_bound(begin, end, b);
-  return edge != end && *edge == b ? graph.lengths[static_cast<std::size_t>(edge - graph.neighbours.begin())]
-                                   : std::numeric_limits<float>::infinity();
+  const std::size_t edge = edgeNumber(graph, a, b);
+  return edge < graph.offsets[a + 1] && graph.neighbours[edge] == b ? graph.lengths[edge]
+                                                                    : std::numeric_limits<float>::infinity();
 }
 
 bool
 areNeighbours(const SurfaceGraph& graph, Index a, Index b)
 {
-  return std::binary_search(graph.neighbours.begin() + graph.offsets[a],
-                            graph.neighbours.begin() + graph.offsets[a + 1], b);
+  const IndexRange ends = graph.neighboursOf(a);
+  return std::binary_search(ends.begin(), ends.end(), b);
 }
 
 Components
@@ -127,8 +124,7 @@ connectedComponents(const SurfaceGraph& graph)
       const Index v = stack.back();
       stack.pop_back();
       ++size;
-      for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-        const Index w = graph.neighbours[e];
+      for (const Index w : graph.neighboursOf(v)) {
         if (components.component_of[w] == no_index) {
           components.component_of[w] = number;
           stack.push_back(w);

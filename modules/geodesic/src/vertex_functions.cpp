@@ -15,10 +15,10 @@ smoothOverRings(const SurfaceGraph& graph, std::vector<float> values, int rounds
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t v = 0; v < graph.size(); ++v) {
       float sum = values[v];
-      for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-        sum += values[graph.neighbours[e]];
+      for (const Index w : graph.neighboursOf(v)) {
+        sum += values[w];
       }
-      smoothed[v] = sum / static_cast<float>(graph.offsets[v + 1] - graph.offsets[v] + 1);
+      smoothed[v] = sum / static_cast<float>(graph.degree(v) + 1);
     }
     values.swap(smoothed);
   }
@@ -30,12 +30,11 @@ localMaxima(const SurfaceGraph& graph, const std::vector<float>& values)
 {
   std::vector<Index> maxima;
   for (std::size_t v = 0; v < graph.size(); ++v) {
-    bool larger = graph.offsets[v + 1] > graph.offsets[v];
-    for (std::uint32_t e = graph.offsets[v]; larger && e < graph.offsets[v + 1]; ++e) {
-      const auto w = static_cast<std::size_t>(graph.neighbours[e]);
-      larger = values[v] > values[w] || (values[v] == values[w] && v < w);
-    }
-    if (larger) {
+    const IndexRange around = graph.neighboursOf(v);
+    const bool larger = std::all_of(around.begin(), around.end(), [&values, v](Index w) {
+      return values[v] > values[w] || (values[v] == values[w] && v < static_cast<std::size_t>(w));
+    });
+    if (larger && !around.empty()) {
       maxima.push_back(static_cast<Index>(v));
     }
   }

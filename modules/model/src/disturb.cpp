@@ -1,5 +1,6 @@
 #include "model/disturb.h"
 
+#include "base/bounding_box.h"
 #include "model/random_numbers.h"
 
 #include <algorithm>
@@ -13,35 +14,6 @@
 namespace pcl {
 namespace symmetry {
 namespace {
-
-struct Box {
-  Vector3 low = {0, 0, 0};
-  Vector3 high = {0, 0, 0};
-
-  double
-  diagonal() const
-  {
-    double squared = 0.0;
-    for (std::size_t k = 0; k < 3; ++k)
-      squared += std::pow(static_cast<double>(high[k]) - static_cast<double>(low[k]), 2);
-    return std::sqrt(squared);
-  }
-};
-
-Box
-boundingBox(const Surface& surface)
-{
-  Box box;
-  if (surface.points.empty())
-    return box;
-  box.low = box.high = surface.points.front();
-  for (const Vector3& point : surface.points)
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = std::min(box.low[k], point[k]);
-      box.high[k] = std::max(box.high[k], point[k]);
-    }
-  return box;
-}
 
 void
 checkRange(const char* what, double value, double low, double high)
@@ -159,7 +131,7 @@ addNoise(Model& model, double fraction, std::uint64_t seed)
 {
   checkRange("noise", fraction, 0.0, 1.0);
   RandomNumbers random(seed);
-  const double deviation = fraction * boundingBox(model.surface).diagonal();
+  const double deviation = fraction * boundingBox(model.surface.points).diagonal();
   for (Vector3& point : model.surface.points) {
     const std::array<double, 3> direction = randomDirection(random);
     const double length = deviation * random.normal();
@@ -172,7 +144,7 @@ void
 quantise(Model& model, double fraction)
 {
   checkRange("step", fraction, 0.0, 1.0);
-  const double step = fraction * boundingBox(model.surface).diagonal();
+  const double step = fraction * boundingBox(model.surface.points).diagonal();
   if (step == 0.0)
     return;
   for (Vector3& point : model.surface.points)
@@ -279,7 +251,7 @@ addOutliers(Model& model, double share, std::uint64_t seed)
 {
   checkRange("share of outliers", share, 0.0, 1.0);
   RandomNumbers random(seed);
-  const Box box = boundingBox(model.surface);
+  const BoundingBox box = boundingBox(model.surface.points);
   const auto count = static_cast<std::size_t>(share * static_cast<double>(model.surface.size()));
   for (std::size_t i = 0; i < count; ++i) {
     Vector3 point;

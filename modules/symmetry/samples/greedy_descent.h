@@ -19,11 +19,11 @@ walkDown(const SurfaceGraph& graph, Index start, const Cost& cost)
   for (bool moved = true; moved;) {
     moved = false;
     const Index from = here;
-    for (std::uint32_t e = graph.offsets[from]; e < graph.offsets[from + 1]; ++e) {
-      const float there = cost(graph.neighbours[e]);
+    for (const Index w : graph.neighboursOf(from)) {
+      const float there = cost(w);
       if (there < least) {
         least = there;
-        here = graph.neighbours[e];
+        here = w;
         moved = true;
       }
     }

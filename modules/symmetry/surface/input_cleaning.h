@@ -6,28 +6,18 @@
 
 #include "cloud/resampled_cloud.h"
 #include "geodesic/neighbour_graph.h"
-#include "symmetry/surface/prepared_surface.h"
+#include "symmetry/surface/usable_points.h"
 
 #include <pcl/symmetry/symmetry_parameters.h>
 
-#include <vector>
-
 namespace pcl {
 namespace symmetry {
-
-/** \brief What does not depend on how the contacts of a cloud are read. */
-struct UsablePoints {
-  PreparedSurface
-      surface; ///< without graph; of a cloud also without triangles, and with normals only where they are given
-  NeighbourLists neighbours;     ///< of a cloud
-  std::vector<char> is_oriented; ///< see ResampledCloud; where empty, normals are oriented all or there are none
-};
 
 /** \brief What the faces of a mesh are used for: how its points hang together, or only where they face. A mesh with
  * holes is in pieces where as a cloud it would be bridged. */
 enum class FaceUse : char { Connection, Normals };
 
-/** \brief Drops what cannot be used and normalises the rest; goes over to the working points of a cloud.
+/** \brief Drops what cannot be used and normalises the rest; goes over to the resampled points of a cloud.
  * \param[in] surface the input; triangle indices must be in range
  * \param[in] search nearest-neighbour search; used for clouds only
  * \param[in] interpretation see resampleCloud ()

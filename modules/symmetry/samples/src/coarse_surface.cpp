@@ -1,5 +1,7 @@
 #include "symmetry/samples/coarse_surface.h"
 
+#include "base/centroid.h"
+#include "base/renumbering.h"
 #include "base/vector_math.h"
 #include "cloud/local_delaunay.h"
 #include "symmetry/samples/hole_cells.h"
@@ -12,38 +14,15 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-Index
-farthestFromCentroid(const std::vector<Vector3>& points)
-{
-  std::array<double, 3> sum{0.0, 0.0, 0.0};
-  for (const Vector3& p : points) {
-    for (int k = 0; k < 3; ++k) {
-      sum[k] += p[k];
-    }
-  }
-  Vector3 centroid{};
-  for (int k = 0; k < 3; ++k) {
-    centroid[k] = static_cast<float>(sum[k] / static_cast<double>(points.size()));
-  }
-  std::size_t farthest = 0;
-  for (std::size_t v = 1; v < points.size(); ++v) {
-    if (distance(points[v], centroid) > distance(points[farthest], centroid)) {
-      farthest = v;
-    }
-  }
-  return static_cast<Index>(farthest);
-}
-
 /** Adjacent cells, joined by the length of the shortest way from sample to sample that crosses their border once. */
 SurfaceGraph
 joinCells(const SurfaceGraph& graph, const FarthestPointSamples& cells)
 {
   std::vector<GraphEdge> edges;
   for (std::size_t v = 0; v < graph.size(); ++v) {
-    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-      const Index w = graph.neighbours[e];
+    for (const auto [w, length] : graph.edges(v)) {
       if (cells.owner[v] < cells.owner[w]) {
-        edges.push_back({cells.owner[v], cells.owner[w], cells.distance[v] + graph.lengths[e] + cells.distance[w]});
+        edges.push_back({cells.owner[v], cells.owner[w], cells.distance[v] + length + cells.distance[w]});
       }
     }
   }
@@ -91,14 +70,6 @@ cellConductances(const PreparedSurface& surface, const CoarseSurface& coarse)
     c = std::max(c, least);
   }
   return conductances;
-}
-
-/** Rotates a triangle so that it begins with its lowest number: equal triangles become identical. */
-Triangle
-lowestFirst(Triangle t)
-{
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  return t;
 }
 
 /** Area of each cell as a share of the whole; a third of every triangle goes to each of its corners' cells. Without

@@ -1,5 +1,7 @@
 #include "symmetry/samples/hole_cells.h"
 
+#include "base/bounding_box.h"
+#include "base/tangent_frame.h"
 #include "base/vector_math.h"
 
 #include <algorithm>
@@ -33,12 +35,10 @@ float
 widestGap(const PreparedSurface& surface, std::size_t v, std::vector<float>& angles)
 {
   constexpr float full_turn = 6.2831853F;
-  const Vector3& n = surface.normals[v];
-  const Vector3 axis_x = normalized(cross(n, std::abs(n[0]) < 0.9F ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
-  const Vector3 axis_y = cross(n, axis_x);
+  const auto [axis_x, axis_y] = tangentFrame(surface.normals[v]);
   angles.clear();
-  for (std::uint32_t e = surface.graph.offsets[v]; e < surface.graph.offsets[v + 1]; ++e) {
-    const Vector3 offset = surface.points[surface.graph.neighbours[e]] - surface.points[v];
+  for (const Index w : surface.graph.neighboursOf(v)) {
+    const Vector3 offset = surface.points[w] - surface.points[v];
     angles.push_back(std::atan2(dot(offset, axis_y), dot(offset, axis_x)));
   }
   if (angles.empty()) {
@@ -88,15 +88,11 @@ takeRim(const SurfaceGraph& graph, Index start, std::vector<Place>& places)
 float
 extentOf(const std::vector<Vector3>& points, const std::vector<Index>& members)
 {
-  Vector3 low = points[members.front()];
-  Vector3 high = low;
+  BoundingBox box;
   for (const Index v : members) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], points[v][k]);
-      high[k] = std::max(high[k], points[v][k]);
-    }
+    box.extend(points[v]);
   }
-  return distance(low, high);
+  return distance(box.low, box.high);
 }
 
 } // namespace

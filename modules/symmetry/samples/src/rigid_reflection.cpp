@@ -1,5 +1,6 @@
 #include "symmetry/samples/rigid_reflection.h"
 
+#include "base/tangent_frame.h"
 #include "base/vector_math.h"
 
 #include <Eigen/Cholesky>
@@ -24,13 +25,6 @@ fromEigen(const Eigen::Vector3f& v)
   return {v.x(), v.y(), v.z()};
 }
 
-/** Some unit vector at right angles to another. */
-Vector3
-anyOrthogonal(const Vector3& n)
-{
-  return normalized(cross(n, std::abs(n[0]) < 0.9F ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
-}
-
 /** The orthogonal matrix of determinant -1 with the largest trace of its product with the transpose of \a covariance.
  */
 Eigen::Matrix3f
@@ -48,7 +42,7 @@ nearestReflection(const Eigen::Matrix3f& covariance)
   Vector3 u2 = fromEigen(covariance * toEigen(v2));
   u2 = normalized(u2 - dot(u2, u1) * u1);
   if (dot(u2, u2) == 0.0F) {
-    u2 = anyOrthogonal(u1);
+    u2 = tangentFrame(u1).u;
   }
   const Vector3 u3 = cross(u2, u1);
   return toEigen(u1) * toEigen(v1).transpose() + toEigen(u2) * toEigen(v2).transpose() +

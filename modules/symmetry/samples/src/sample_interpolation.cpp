@@ -1,6 +1,7 @@
 #include "symmetry/samples/sample_interpolation.h"
 
 #include "base/parallel.h"
+#include "base/tangent_frame.h"
 #include "base/vector_math.h"
 
 #include <Eigen/LU>
@@ -20,9 +21,7 @@ fitWeights(const CoarseSurface& coarse,
            std::size_t count,
            float* weights)
 {
-  const Vector3& n = coarse.normals[owner];
-  const Vector3 u = normalized(cross(n, std::abs(n[0]) < 0.9F ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
-  const Vector3 v = cross(n, u);
+  const auto [u, v] = tangentFrame(coarse.normals[owner]);
   float radius = 0.0F;
   for (std::size_t i = 1; i < count; ++i) {
     radius += distance(coarse.points[samples[i]], coarse.points[owner]);
@@ -75,8 +74,8 @@ interpolateFromSamples(const PreparedSurface& surface, const CoarseSurface& coar
   interpolation.offsets.reserve(surface.size() + 1);
   for (std::size_t v = 0; v < surface.size(); ++v) {
     const Index owner = coarse.cells.owner[v];
-    interpolation.offsets.push_back(interpolation.offsets.back() + 1 + coarse.graph.offsets[owner + 1] -
-                                    coarse.graph.offsets[owner]);
+    const auto around = static_cast<std::uint32_t>(coarse.graph.degree(owner));
+    interpolation.offsets.push_back(interpolation.offsets.back() + 1 + around);
   }
   interpolation.samples.resize(interpolation.offsets.back());
   interpolation.weights.resize(interpolation.offsets.back());
@@ -87,8 +86,8 @@ interpolateFromSamples(const PreparedSurface& surface, const CoarseSurface& coar
         const Index owner = coarse.cells.owner[v];
         Index* samples = interpolation.samples.data() + interpolation.offsets[v];
         samples[0] = owner;
-        std::copy(coarse.graph.neighbours.begin() + coarse.graph.offsets[owner],
-                  coarse.graph.neighbours.begin() + coarse.graph.offsets[owner + 1], samples + 1);
+        const IndexRange around = coarse.graph.neighboursOf(owner);
+        std::copy(around.begin(), around.end(), samples + 1);
         const std::size_t count = interpolation.offsets[v + 1] - interpolation.offsets[v];
         fitWeights(coarse, owner, surface.points[v], samples, count,
                    interpolation.weights.data() + interpolation.offsets[v]);

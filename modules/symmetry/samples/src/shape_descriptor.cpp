@@ -1,5 +1,6 @@
 #include "symmetry/samples/shape_descriptor.h"
 
+#include "base/tangent_frame.h"
 #include "base/vector_math.h"
 
 #include <Eigen/LU>
@@ -25,17 +26,13 @@ standardize(Eigen::MatrixXf& part, float weight)
 Eigen::MatrixXf
 tangentGradient(const CoarseSurface& surface, std::size_t sample, const Eigen::MatrixXf& values)
 {
-  const Vector3& n = surface.normals[sample];
-  const Vector3 u = normalized(cross(n, std::abs(n[0]) < 0.9F ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
-  const Vector3 v = cross(n, u);
+  const auto [u, v] = tangentFrame(surface.normals[sample]);
   Eigen::Matrix2f normal_matrix = Eigen::Matrix2f::Zero();
   Eigen::MatrixXf right_side = Eigen::MatrixXf::Zero(2, values.cols());
-  for (std::uint32_t e = surface.graph.offsets[sample]; e < surface.graph.offsets[sample + 1]; ++e) {
-    const Index other = surface.graph.neighbours[e];
+  for (const auto [other, geodesic] : surface.graph.edges(sample)) {
     const Vector3 offset = surface.points[other] - surface.points[sample];
     const Eigen::Vector2f projected(dot(offset, u), dot(offset, v));
     const float length = projected.norm();
-    const float geodesic = surface.graph.lengths[e];
     if (length > 0.0F && geodesic > 0.0F) {
       const Eigen::Vector2f direction = projected / length;
       normal_matrix += direction * direction.transpose();
@@ -53,10 +50,10 @@ smoothedOnce(const SurfaceGraph& graph, const Eigen::MatrixXf& values)
   Eigen::MatrixXf smoothed = values;
   for (std::size_t i = 0; i < graph.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
-      smoothed.row(row) += values.row(graph.neighbours[e]);
+    for (const Index w : graph.neighboursOf(i)) {
+      smoothed.row(row) += values.row(w);
     }
-    smoothed.row(row) /= static_cast<float>(graph.offsets[i + 1] - graph.offsets[i] + 1);
+    smoothed.row(row) /= static_cast<float>(graph.degree(i) + 1);
   }
   return smoothed;
 }
@@ -101,8 +98,7 @@ curvatureFeature(const CoarseSurface& surface)
       for (std::size_t i = 0; i < surface.size(); ++i) {
         Vector3 sum = surface.areas[i] * smooth[i];
         float area = surface.areas[i];
-        for (std::uint32_t e = surface.graph.offsets[i]; e < surface.graph.offsets[i + 1]; ++e) {
-          const Index j = surface.graph.neighbours[e];
+        for (const Index j : surface.graph.neighboursOf(i)) {
           sum = sum + surface.areas[j] * smooth[j];
           area += surface.areas[j];
         }

@@ -25,9 +25,8 @@ patchAround(const CoarseSurface& coarse, Index centre, float radius)
     }
     const float share = d / radius;
     patch.push_back({i, (1.0F - share * share) * (1.0F - share * share)});
-    for (std::uint32_t e = coarse.graph.offsets[i]; e < coarse.graph.offsets[i + 1]; ++e) {
-      const float through = d + coarse.graph.lengths[e];
-      const Index j = coarse.graph.neighbours[e];
+    for (const auto [j, length] : coarse.graph.edges(i)) {
+      const float through = d + length;
       if (through < radius && through < field[j]) {
         field[j] = through;
         queue.push({through, j});

@@ -1,5 +1,6 @@
 #include "symmetry/sides/curve_thinning.h"
 
+#include "base/renumbering.h"
 #include "geodesic/shortest_paths.h"
 
 #include <algorithm>
@@ -32,27 +33,15 @@ subgraph(const SurfaceGraph& graph, const std::vector<Index>& vertices, const st
   }
   std::vector<GraphEdge> edges;
   for (const Index v : vertices) {
-    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-      const Index w = graph.neighbours[e];
+    for (const auto [w, length] : graph.edges(v)) {
       if (v < w && number[w] != no_index) {
         const float stretch = factor.empty() ? 1.0F : 1.0F + 0.5F * (factor[v] + factor[w]);
-        edges.push_back({number[v], number[w], stretch * graph.lengths[e]});
+        edges.push_back({number[v], number[w], stretch * length});
       }
     }
   }
   part.graph = buildGraph(vertices.size(), edges);
   return part;
-}
-
-std::vector<Index>
-translate(const std::vector<Index>& vertices, const std::vector<Index>& original)
-{
-  std::vector<Index> translated;
-  translated.reserve(vertices.size());
-  for (const Index v : vertices) {
-    translated.push_back(original[v]);
-  }
-  return translated;
 }
 
 /** The vertex with the largest finite distance. */
@@ -75,8 +64,8 @@ meanReach(const SurfaceGraph& graph)
   double sum = 0.0;
   for (std::size_t v = 0; v < graph.size(); ++v) {
     float longest = 0.0F;
-    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-      longest = std::max(longest, graph.lengths[e]);
+    for (const auto [w, length] : graph.edges(v)) {
+      longest = std::max(longest, length);
     }
     sum += longest;
   }
@@ -120,7 +109,7 @@ public:
     const std::vector<Index> back = wayBack(part, plain.graph, path, from_p);
     curve.closed = !back.empty();
     path.insert(path.end(), back.begin(), back.end());
-    curve.points = translate(path, part);
+    curve.points = renumbered(path, part);
     removeTube(part, distanceField(plain.graph, path));
     return curve;
   }
@@ -160,8 +149,8 @@ private:
     if (first == no_index || last == no_index) {
       return {};
     }
-    const Subgraph around = subgraph(graph_, translate(open, part), factor_);
-    std::vector<Index> back = translate(shortestPath(around.graph, last, first), open);
+    const Subgraph around = subgraph(graph_, renumbered(open, part), factor_);
+    std::vector<Index> back = renumbered(shortestPath(around.graph, last, first), open);
     if (back.size() <= 2) {
       return {};
     }

@@ -20,8 +20,8 @@ withoutZeros(const SurfaceGraph& graph, std::vector<float> values)
       continue;
     }
     int balance = 0;
-    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-      const float neighbour = given[graph.neighbours[e]];
+    for (const Index w : graph.neighboursOf(v)) {
+      const float neighbour = given[w];
       balance += neighbour > 0.0F ? 1 : neighbour < 0.0F ? -1 : 0;
     }
     values[v] = balance < 0 ? -tiny : tiny;
@@ -56,8 +56,7 @@ findPatches(const SurfaceGraph& graph, const std::vector<float>& values)
       const Index v = stack.back();
       stack.pop_back();
       ++patches.sizes[number];
-      for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-        const Index w = graph.neighbours[e];
+      for (const Index w : graph.neighboursOf(v)) {
         if (patches.patch_of[w] == no_index && (values[w] > 0.0F) == positive) {
           patches.patch_of[w] = number;
           stack.push_back(w);
@@ -156,9 +155,9 @@ labelSides(const SurfaceGraph& graph, const std::vector<float>& side_function)
   for (std::size_t v = 0; v < graph.size(); ++v) {
     bool source = side_function[v] >= 0.0F;
     bool target = side_function[v] <= 0.0F;
-    for (std::uint32_t e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-      source = source || side_function[graph.neighbours[e]] >= 0.0F;
-      target = target || side_function[graph.neighbours[e]] <= 0.0F;
+    for (const Index w : graph.neighboursOf(v)) {
+      source = source || side_function[w] >= 0.0F;
+      target = target || side_function[w] <= 0.0F;
     }
     sides[v] = source && target ? Side::Axis : source ? Side::Source : Side::Target;
   }

@@ -1,6 +1,6 @@
 #include "symmetry/staged/staged_method.h"
 
-#include "base/vector_math.h"
+#include "base/centroid.h"
 #include "geodesic/surface_metric.h"
 #include "symmetry/sides/sides.h"
 #include "symmetry/staged/base_vertices.h"
@@ -35,26 +35,6 @@ makeMetric(const PreparedSurface& surface, Metric metric)
     return std::make_unique<EuclideanMetric>(surface.points);
   }
   return std::make_unique<GeodesicMetric>(surface.graph);
-}
-
-/** The vertex farthest from the centre of gravity: a start that does not depend on the order of the vertices. */
-Index
-farthestFromCentre(const std::vector<Vector3>& points)
-{
-  double sum[3] = {0.0, 0.0, 0.0};
-  for (const Vector3& p : points) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      sum[k] += p[k];
-    }
-  }
-  Vector3 centre;
-  for (std::size_t k = 0; k < 3; ++k) {
-    centre[k] = static_cast<float>(sum[k] / static_cast<double>(points.size()));
-  }
-  const auto nearer = [&centre](const Vector3& a, const Vector3& b) {
-    return distance(a, centre) < distance(b, centre);
-  };
-  return static_cast<Index>(std::max_element(points.begin(), points.end(), nearer) - points.begin());
 }
 
 float
@@ -175,7 +155,7 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
   MapEstimate estimate;
 
   timer.start("sampling", 0.0);
-  const Index start = farthestFromCentre(surface.points);
+  const Index start = farthestFromCentroid(surface.points);
   const std::vector<Index> landmarks = metric->farthestPoints(start, static_cast<std::size_t>(parameters.landmarks));
 
   timer.start("geodesics", 0.02);

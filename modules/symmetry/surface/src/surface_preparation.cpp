@@ -1,5 +1,8 @@
 #include "symmetry/surface/surface_preparation.h"
 
+#include "base/renumbering.h"
+
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -34,20 +37,15 @@ keepLargestComponent(PreparedSurface& surface)
     return;
   }
   std::vector<char> keep(surface.size());
-  std::vector<Index> new_number(surface.size(), no_index);
-  Index kept = 0;
-  for (std::size_t v = 0; v < surface.size(); ++v) {
-    keep[v] = static_cast<char>(components.component_of[v] == 0);
-    if (keep[v] != 0) {
-      new_number[v] = kept++;
-    }
-  }
+  std::transform(components.component_of.begin(), components.component_of.end(), keep.begin(),
+                 [](Index component) { return component == 0; });
+  const std::vector<Index> numbers = numbersOfKept(keep);
   SurfaceGraph graph;
   for (std::size_t v = 0; v < surface.size(); ++v) {
     if (keep[v] != 0) {
-      for (std::uint32_t e = surface.graph.offsets[v]; e < surface.graph.offsets[v + 1]; ++e) {
-        graph.neighbours.push_back(new_number[surface.graph.neighbours[e]]);
-        graph.lengths.push_back(surface.graph.lengths[e]);
+      for (const auto [w, length] : surface.graph.edges(v)) {
+        graph.neighbours.push_back(numbers[w]);
+        graph.lengths.push_back(length);
       }
       graph.offsets.push_back(static_cast<std::uint32_t>(graph.neighbours.size()));
     }

@@ -1,0 +1,33 @@
+/** \file
+ * \brief Points and triangles of a mesh that are there twice, or are none; the normals of what is left.
+ */
+#pragma once
+
+#include "symmetry/surface/prepared_surface.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Lets the first of several points at one place stand for all: in a cloud they would take up each other's
+ * neighbours, and a mesh falls apart at the seams of its texture, where exporters repeat the vertices. Cost O(n). */
+void
+mergeRepeatedPoints(PreparedSurface& surface);
+
+/** \brief Drops triangles that have a corner twice. */
+void
+dropDegenerateTriangles(std::vector<Triangle>& triangles);
+
+/** \brief Keeps the first of several triangles with the same corners, whichever way they turn: doubled faces, as of
+ * two-sided exports, would leave more than two triangles at every edge, which ends every line drawn over the surface.
+ * \param[in] n number of points */
+void
+dropRepeatedTriangles(std::size_t n, std::vector<Triangle>& triangles);
+
+/** \brief Mean of the normals of the faces around each vertex, weighted by area; zero where there is no face. */
+std::vector<Vector3>
+vertexNormals(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles);
+
+} // namespace symmetry
+} // namespace pcl

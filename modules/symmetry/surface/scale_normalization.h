@@ -1,0 +1,20 @@
+/** \file
+ * \brief Surfaces of unit size, whatever the unit of the input.
+ */
+#pragma once
+
+#include "symmetry/surface/prepared_surface.h"
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Moves the middle of the surface's box to the origin and scales its longest side to 1, in double: coordinates
+ * may be huge.
+ *
+ * The box is that of a mesh's largest component, since the others take no part, or of all points of a cloud. What does
+ * not take part is outside the box: were it far away, it would leave few bits for all others. */
+void
+normalizeScale(PreparedSurface& surface);
+
+} // namespace symmetry
+} // namespace pcl
