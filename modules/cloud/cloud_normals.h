@@ -21,9 +21,9 @@ estimateNormals(const std::vector<Vector3>& points, const NeighbourLists& neighb
 /** \brief Turns normals so that neighbours agree.
  *
  * Signs spread along a minimum spanning tree of the graph (H. Hoppe et al.: Surface reconstruction from unorganized
- * points, 1992) that prefers edges between parallel normals and along the surface; across an edge the normal is
- * mirrored in the plane that halves it. Every component starts with the point farthest from the centroid, whose normal
- * is turned away from it; where some normals are oriented already, the trees start with these.
+ * points, 1992 \cite hoppe1992surface) that prefers edges between parallel normals and along the surface; across an
+ * edge the normal is mirrored in the plane that halves it. Every component starts with the point farthest from the
+ * centroid, whose normal is turned away from it; where some normals are oriented already, the trees start with these.
  * \param[in] is_oriented per normal, or empty: none is */
 void
 orientNormals(const std::vector<Vector3>& points,

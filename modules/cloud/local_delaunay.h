@@ -36,7 +36,7 @@ struct FanLaplacian {
  * an edge conducts the mean of what the fans at its two ends say, so no consistent triangulation is needed.
  *
  * N. Sharp and K. Crane: A Laplacian for nonmanifold triangle meshes. Computer Graphics Forum 39(5), 2020 (the point
- * cloud case).
+ * cloud case). \cite sharp2020laplacian
  *
  * \param[in] graph joins each sample to its Delaunay neighbours at least */
 FanLaplacian

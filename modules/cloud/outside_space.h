@@ -12,7 +12,7 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief A disc of surface around a point. */
+/** \brief A disc of surface around a point \cite pfister2000surfels. */
 struct Surfel {
   Vector3 centre{};
   Vector3 normal{};

@@ -33,10 +33,10 @@ enum class NoiseInterpretation {
  * Outliers are stray points, see findStrayPoints (), unless they are hardly farther from a point in use than that is
  * from its neighbours. A cloud is thick where, at the distance of its neighbours, it fills space instead of a plane;
  * then points are moved onto planes fitted to the points within a larger radius, about the one at which most
- * neighbourhoods are flattest. Only points on the same sheet of the surface take part (robust moving least squares), so
- * that the two sides of a thin part and two parts in contact stay apart as long as the noise leaves a gap between them.
- * Thick and large clouds are thinned out to an even spacing. A cloud so coarse that its neighbourhoods are as large as
- * limbs is left as it is.
+ * neighbourhoods are flattest. Only points on the same sheet of the surface take part (robust moving least squares
+ * \cite fleishman2005robust), so that the two sides of a thin part and two parts in contact stay apart as long as the
+ * noise leaves a gap between them. Thick and large clouds are thinned out to an even spacing. A cloud so coarse that
+ * its neighbourhoods are as large as limbs is left as it is.
  *
  * \param[in] points all finite, at unit scale
  * \param[in] lists their nearest neighbours

@@ -15,9 +15,10 @@ namespace symmetry {
  * The plane through all neighbours of a point lies across the sheets where the point has neighbours on two of them, and
  * normals that change little by little from one sheet to the other hide that they meet. Where too few neighbours are
  * near that plane, it is turned about the point to the sheet nearest to it: fitted again, three times, with weights
- * that fall with the distance from it (iteratively reweighted least squares, P. Holland and R. Welsch, 1977). Then each
- * normal becomes the mean of its own and those of its neighbours that differ little from it, of either sign (bilateral,
- * as S. Fleishman et al.: Bilateral mesh denoising, 2003), so that each sheet has one direction to its end.
+ * that fall with the distance from it (iteratively reweighted least squares, P. Holland and R. Welsch, 1977
+ * \cite holland1977robust). Then each normal becomes the mean of its own and those of its neighbours that differ little
+ * from it, of either sign (bilateral, as S. Fleishman et al.: Bilateral mesh denoising, 2003
+ * \cite fleishman2003bilateral), so that each sheet has one direction to its end.
  *
  * For points without noise: a plane that is held by one point follows its noise. Cost O(n k).
  * \param[in] normals unit length, of either sign */

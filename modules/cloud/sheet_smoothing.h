@@ -47,7 +47,8 @@ struct SheetPlaces {
 /** \brief Moves places onto the sheets of the surface around them.
  *
  * Where two sheets are nearer to each other than the radius each place stays with its own (robust moving least squares,
- * as S. Fleishman et al.: Robust moving least-squares fitting with sharp features, 2005).
+ * as S. Fleishman et al.: Robust moving least-squares fitting with sharp features, 2005
+ * \cite fleishman2005robust).
  * \param[in] points of the cloud */
 SheetPlaces
 moveToSheets(std::vector<Vector3> places,

@@ -13,7 +13,8 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief Label-correcting shortest-path search over a ring of distance buckets (Dial's algorithm with real lengths).
+/** \brief Label-correcting shortest-path search over a ring of distance buckets (Dial's algorithm
+ * \cite dial1969algorithm with real lengths).
  *
  * Vertices within one bucket are expanded in the order they came in, and again if a shorter way to them turns up, so
  * the distances are those of Dijkstra's algorithm to the last bit: the least of all path sums. The ring is wide enough

@@ -18,7 +18,7 @@ struct FarthestPointSamples {
   std::vector<float> distance; ///< per vertex: distance to that sample
 };
 
-/** \brief Farthest-point sampling from an explicit start.
+/** \brief Farthest-point sampling \cite gonzalez1985clustering \cite eldar1997farthest from an explicit start.
  *
  * Ties go to the lowest vertex. Ends early where every vertex is a sample or at distance zero from one. A new sample's
  * search is cut where an earlier sample is nearer, so that all searches together cost about as much as a few full

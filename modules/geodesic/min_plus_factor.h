@@ -15,8 +15,8 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief Factor of the matrix of edge lengths over the (min, +) semiring: a multifrontal Cholesky factorization whose
- * arithmetic is min and + (B. Carre: An algebra for network routing problems. IMA J. Appl. Math. 7(3), 1971), in the
- * order of a nested dissection.
+ * arithmetic is min and + (B. Carre: An algebra for network routing problems. IMA J. Appl. Math. 7(3), 1971
+ * \cite carre1971algebra), in the order of a nested dissection \cite george1973nested.
  *
  * From the leaves of the dissection up, every node closes the distances among its own vertices, derives those to its
  * boundary (the vertices above it that its subtree touches) and hands the distances within its boundary up. A field is

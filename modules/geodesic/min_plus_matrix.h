@@ -34,7 +34,7 @@ minPlus(float* result,
         std::size_t columns,
         unsigned threads);
 
-/** \brief Shortest paths among all pairs, in place: Floyd's algorithm by blocks.
+/** \brief Shortest paths among all pairs, in place: Floyd's algorithm \cite floyd1962algorithm by blocks.
  * \param[in,out] matrix symmetric, count x count; the stride is a multiple of kernel_lanes
  *
  * \param[in] panel scratch */

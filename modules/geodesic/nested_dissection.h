@@ -12,7 +12,7 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief A graph taken apart by small separators (A. George: Nested dissection of a regular finite element mesh. SIAM
- * J. Numer. Anal. 10(2), 1973).
+ * J. Numer. Anal. 10(2), 1973 \cite george1973nested).
  *
  * Node x of the tree owns the vertices at positions [begin, end) of \a order. No edge joins two vertices of different
  * nodes unless one node is an ancestor of the other.

@@ -15,7 +15,8 @@ namespace symmetry {
 /** \brief Distance of a vertex that cannot be reached. */
 constexpr float unreachable = std::numeric_limits<float>::infinity();
 
-/** \brief Distances of all vertices from \a source. Cost about O(n) (bucket queue); exact as Dijkstra's. */
+/** \brief Distances of all vertices from \a source. Cost about O(n) (bucket queue); exact as
+ * Dijkstra's \cite dijkstra1959note. */
 std::vector<float>
 distanceField(const SurfaceGraph& graph, Index source);
 

@@ -13,7 +13,7 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief The fewest vertices that touch every edge between two sets, found by a largest matching (D. Koenig: Grafok es
- * matrixok. Matematikai es Fizikai Lapok 38, 1931).
+ * matrixok. Matematikai es Fizikai Lapok 38, 1931 \cite koenig1931grafok).
  *
  * One object for many pairs of sets, from one thread. Cost O(n m) at worst; between the sides of a cut through a
  * surface about O(m).

@@ -3,4 +3,5 @@
  */
 #pragma once
 
+/** \brief Marks a function or class that the shared libraries export. */
 #define PCL_SYMMETRY_EXPORTS __attribute__((visibility("default")))

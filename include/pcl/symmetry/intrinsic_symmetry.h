@@ -25,7 +25,8 @@ namespace pcl {
 
 /** \brief Result of IntrinsicSymmetryEstimation::compute (). */
 struct IntrinsicSymmetryResult : public symmetry::SymmetryResult {
-  /** The sparse matches as PCL's type: query is the source, match the target, distance the cost (no unit). */
+  /** \brief The sparse matches as PCL's type: query is the source, match the target, distance the cost (no unit, not
+   * squared). */
   pcl::Correspondences correspondences;
 };
 
@@ -44,8 +45,9 @@ struct IntrinsicSymmetryResult : public symmetry::SymmetryResult {
  * \endcode
  *
  * Points that are not finite, not among the indices or not in the largest component take no part: their partner is -1,
- * their side Side::None. Duplicated points are kept. Indices of the result always refer to the input. The same input
- * and parameters give the same bytes for any number of threads. One object must not be used from two threads at a time.
+ * their side Side::None. Of points at one place the first stands for all. Indices of the result always refer to the
+ * input. The same input and parameters give the same bytes for any number of threads. One object must not be used from
+ * two threads at a time.
  *
  * The class is instantiated for PointXYZ, PointXYZI, PointXYZL, PointXYZRGB, PointXYZRGBA, PointXYZRGBL, PointNormal,
  * PointXYZINormal and PointXYZRGBNormal; for other types define PCL_NO_PRECOMPILE before including this header.
@@ -54,10 +56,13 @@ struct IntrinsicSymmetryResult : public symmetry::SymmetryResult {
 template <typename PointT>
 class IntrinsicSymmetryEstimation : public PCLBase<PointT> {
 public:
+  /** \brief Shared pointer to an estimation. */
   using Ptr = shared_ptr<IntrinsicSymmetryEstimation<PointT>>;
+  /** \brief Shared pointer to an estimation that is not changed. */
   using ConstPtr = shared_ptr<const IntrinsicSymmetryEstimation<PointT>>;
   using typename PCLBase<PointT>::PointCloud;
   using typename PCLBase<PointT>::PointCloudConstPtr;
+  /** \brief Shared pointer to a neighbour search. */
   using SearchPtr = typename search::Search<PointT>::Ptr;
 
   /** \brief Sets a point cloud without faces; forgets a mesh.
@@ -78,6 +83,7 @@ public:
   void
   setSearchMethod(const SearchPtr& search);
 
+  /** \brief The search that was set; null: the default. */
   SearchPtr
   getSearchMethod() const
   {
@@ -89,31 +95,35 @@ public:
   void
   setKSearch(int k);
 
+  /** \brief Neighbours of a point in the graph of a cloud. */
   int
   getKSearch() const
   {
     return parameters_.k_search;
   }
 
-  /** \brief Worker threads, 0: all cores (default). */
+  /** \brief Worker threads, 0: all cores (default); the result does not depend on it. */
   void
   setNumberOfThreads(unsigned threads)
   {
     parameters_.threads = threads;
   }
 
+  /** \brief Worker threads, 0: all cores. */
   unsigned
   getNumberOfThreads() const
   {
     return parameters_.threads;
   }
 
+  /** \brief Robust (default), or the published staged matching. */
   void
   setMethod(symmetry::Method method)
   {
     parameters_.method = method;
   }
 
+  /** \brief The method that is in force. */
   symmetry::Method
   getMethod() const
   {
@@ -125,6 +135,7 @@ public:
   void
   setParameters(const symmetry::SymmetryParameters& parameters);
 
+  /** \brief All parameters that are in force. */
   const symmetry::SymmetryParameters&
   getParameters() const
   {

@@ -34,12 +34,14 @@ struct Surface {
   std::vector<Triangle> triangles; ///< m faces; empty for a point cloud
   std::vector<Vector3> normals;    ///< n unit normals, or empty where none are known
 
+  /** \brief Number of points. */
   std::size_t
   size() const
   {
     return points.size();
   }
 
+  /** \brief Whether it is a mesh: a point cloud has no faces. */
   bool
   hasFaces() const
   {

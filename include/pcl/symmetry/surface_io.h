@@ -39,12 +39,11 @@ fileEnding(const std::string& path);
  *
  * \param[in] path a regular file
  *
- * \return at least one point;
- * normals where the file has one per point
+ * \return at least one point; normals where the file has one per point
  *
- * \throws pcl::IOException cannot be opened, has another ending, is empty,
- * truncated or malformed, lies too far from the origin for single precision, promises more than it can hold, or has a
- * face with a point that is not there; the message names file, line (from 1) or byte (from 0), and reason
+ * \throws pcl::IOException cannot be opened, has another ending, is empty, truncated or malformed, lies too far from
+ * the origin for single precision, promises more than it can hold, or has a face with a point that is not there; the
+ * message names file, line (from 1) or byte (from 0), and reason
  *
  * \ingroup symmetry
  */
@@ -78,8 +77,7 @@ writeLabelledSurface(const std::string& path, const Surface& surface, const Symm
  *
  * \throws pcl::IOException cannot be written
  *
- * \throws pcl::BadArgumentException the
- * arrays of the result differ in length, or an index is out of range
+ * \throws pcl::BadArgumentException the arrays of the result differ in length, or an index is out of range
  *
  * \ingroup symmetry
  */
@@ -113,8 +111,7 @@ writeAxis(const std::string& path, const Surface& surface, const SymmetryResult&
  *
  * \param[in] path file to write
  *
- * \param[in] input_file name of the
- * input as it is to appear in the report; what is not UTF-8 is replaced
+ * \param[in] input_file name of the input as it is to appear in the report; what is not UTF-8 is replaced
  *
  * \param[in] parameters all that were in force
  * \param[in] result what was found, with the seconds per step

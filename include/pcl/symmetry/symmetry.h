@@ -25,7 +25,11 @@ checkParameters(const SymmetryParameters& parameters);
 
 /** \brief Finds the global intrinsic reflective symmetry of a surface.
  *
- * \param[in] surface mesh, or cloud without triangles; non-finite points are left out, duplicates are kept
+ * Memory and time grow about linearly with the number of points; a cloud in doubt takes up to fifteen times as long.
+ * May be called from several threads at once.
+ *
+ * \param[in] surface mesh, or cloud without triangles; non-finite points are left out, of points at one place the first
+ * stands for all
  * \param[in] parameters see SymmetryParameters
  * \param[in] progress may be empty
  * \return see SymmetryResult; the same input and parameters give the same bytes for any number of threads

@@ -92,23 +92,23 @@ struct AlternativeMap {
  * \ingroup symmetry
  */
 struct SymmetryResult {
-  SymmetryStatus status = SymmetryStatus::TooFewPoints;
+  SymmetryStatus status = SymmetryStatus::TooFewPoints; ///< look at it first: not Symmetric means there is no map
   std::string message;     ///< for a person: why the status is not Symmetric, or what was noticed
   float confidence = 0.0F; ///< of the whole map, in [0, 1]; below two thirds a cloud may well have no symmetry
 
   std::vector<SymmetricMatch> matches; ///< sparse correspondences, spread over the source side
   std::vector<Index> partners;         ///< dense map
   std::vector<float> confidences;      ///< per point, in [0, 1]
-  std::vector<Side> sides;
-  std::vector<Region> regions;
-  std::vector<Polyline> axis; ///< the symmetry axis curve, longest part first
-  std::vector<Index> extremities;
+  std::vector<Side> sides;             ///< per point; which half is called the source side is arbitrary
+  std::vector<Region> regions;         ///< per point
+  std::vector<Polyline> axis;          ///< the symmetry axis curve, longest part first
+  std::vector<Index> extremities; ///< ends of limbs: source, target, source, target; fewer where there are fewer limbs
   std::vector<AlternativeMap> alternatives; ///< on request: the reflections, best first; the first is the map above
   std::vector<AlternativeMap> rotations;    ///< on request: maps that keep the orientation, best first
 
-  float diameter = 0.0F; ///< largest distance between landmarks or landmarks, in the unit of the points
-  InputSummary input;
-  MapSummary map;
+  float diameter = 0.0F; ///< largest distance between landmarks, in the unit of the points
+  InputSummary input;    ///< what was read, used and left out
+  MapSummary map;        ///< properties of the dense map
   std::vector<std::pair<std::string, double>> seconds; ///< wall time per step, in order; steps do not overlap
 };
 

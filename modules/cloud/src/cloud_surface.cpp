@@ -192,7 +192,8 @@ private:
 
 /** Searches around a vertex, with memory kept from search to search. Goes first where the way and the straight line
  * from there to the target are shortest together (Hart, Nilsson and Raphael: A formal basis for the heuristic
- * determination of minimum cost paths. IEEE Transactions on Systems Science and Cybernetics 4(2), 1968). */
+ * determination of minimum cost paths. IEEE Transactions on Systems Science and Cybernetics 4(2), 1968
+ * \cite hart1968formal). */
 class LocalSearch {
 public:
   LocalSearch(const std::vector<Vector3>& points, const SurfaceGraph& graph)

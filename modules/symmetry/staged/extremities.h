@@ -39,6 +39,9 @@ struct TipFunctions {
 
 /** \brief AGD, S1, MGD and S2 (the paper's names).
  *
+ * Local maxima of the average geodesic distance \cite hilaga2001topology are found by every symmetry, and so are those
+ * of the distance to them \cite kim2010moebius.
+ *
  * A fine mesh has dozens of maxima on one fingertip; of those closer together than \a separation only the largest
  * counts, so that the few matches that are kept later are not all at one place.
  *

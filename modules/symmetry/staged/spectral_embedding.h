@@ -27,6 +27,7 @@ struct SpectralEmbedding {
  * all other vertices by distance-based triangulation.
  *
  * V. de Silva, J. Tenenbaum: Sparse multidimensional scaling using landmark points. Stanford, 2004.
+ * \cite silva2004landmarks
  * \param[in] fields distance fields of the landmarks, row i that of landmarks[i]
  * \param[in] landmarks their vertices
  * \param[in] dimensions number of coordinates; fewer are returned where fewer eigenvalues are positive
