@@ -1,3 +1,4 @@
+#include "estimation/enum_names.h"
 #include "refuse_argument.h"
 
 #include <pcl/symmetry/symmetry.h>
@@ -20,17 +21,7 @@ checkRange(const char* name, Number value, Number least, Number most)
 const char*
 toString(SymmetryStatus status)
 {
-  switch (status) {
-  case SymmetryStatus::Symmetric:
-    return "symmetric";
-  case SymmetryStatus::NoSymmetry:
-    return "no_symmetry";
-  case SymmetryStatus::TooFewPoints:
-    return "too_few_points";
-  case SymmetryStatus::Cancelled:
-    return "cancelled";
-  }
-  return "unknown";
+  return nameOf(status_names, status);
 }
 
 void

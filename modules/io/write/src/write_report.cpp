@@ -1,3 +1,4 @@
+#include "estimation/enum_names.h"
 #include "io/write/output_file.h"
 #include "io/write/record_writer.h"
 
@@ -14,37 +15,6 @@ namespace symmetry {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char*
-nameOf(Method method)
-{
-  return method == Method::Staged ? "staged" : "robust";
-}
-
-const char*
-nameOf(Metric metric)
-{
-  return metric == Metric::Euclidean ? "euclidean" : "geodesic";
-}
-
-const char*
-nameOf(NormalSource source)
-{
-  return source == NormalSource::Given ? "given" : "estimate";
-}
-
-const char*
-nameOf(PairingFeature feature)
-{
-  switch (feature) {
-  case PairingFeature::MinimalGeodesicDistance:
-    return "mgd";
-  case PairingFeature::BySurfaceSize:
-    return "size";
-  default:
-    return "agd";
-  }
-}
 
 /** \brief A float as 0.1, not as the 0.10000000149011612 that it is as a double; null where it is not finite, which
  * JSON has no number for. */
@@ -106,16 +76,16 @@ describeAlternatives(const std::vector<AlternativeMap>& alternatives)
 Json
 describeParameters(const SymmetryParameters& parameters)
 {
-  return {{"method", nameOf(parameters.method)},
-          {"metric", nameOf(parameters.metric)},
+  return {{"method", nameOf(method_names, parameters.method)},
+          {"metric", nameOf(metric_names, parameters.metric)},
           {"k_search", parameters.k_search},
           {"radius", toJson(parameters.radius)},
-          {"normals", nameOf(parameters.normals)},
+          {"normals", nameOf(normal_source_names, parameters.normals)},
           {"outlier_deviations", toJson(parameters.outlier_deviations)},
           {"landmarks", parameters.landmarks},
           {"samples", parameters.samples},
           {"embedding_dimensions", parameters.embedding_dimensions},
-          {"pairing", nameOf(parameters.pairing)},
+          {"pairing", nameOf(pairing_names, parameters.pairing)},
           {"sparse_only", parameters.sparse_only},
           {"alternatives", parameters.alternatives},
           {"threads", parameters.threads}};
