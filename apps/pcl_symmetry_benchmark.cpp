@@ -3,6 +3,7 @@
  */
 #include "base/error_text.h"
 #include "benchmark/error_curve_plot.h"
+#include "benchmark/evidence.h"
 #include "benchmark/graph_accuracy.h"
 #include "benchmark/map_file.h"
 #include "benchmark/report_files.h"
@@ -40,6 +41,7 @@ struct Options {
   std::vector<std::string> classes;
   bool all = false;
   bool graph = false;
+  std::string evidence;
   RunOptions run;
   unsigned jobs = 1;
   std::string map_folder;
@@ -86,7 +88,10 @@ describeOptions()
   po::options_description output("Output");
   output.add_options()("csv", po::value<std::string>(), "write one line per model to this file")(
       "json", po::value<std::string>(), "write all figures to this file")(
-      "plot", po::value<std::string>(), "draw the geodesic error curves into this .svg file")(
+      "evidence", po::value<std::string>(),
+      "write all that is measured on every map of every interpretation to this .csv file, delivered or not, instead of "
+      "the scores: what the confidence is calibrated with")("plot", po::value<std::string>(),
+                                                            "draw the geodesic error curves into this .svg file")(
       "map-dir", po::value<std::string>(), "write each map as SET_MODEL.csv into this folder")(
       "verbose", "seconds per step and properties of the map for each model")("help", "print this text")(
       "version", "print the version");
@@ -201,6 +206,9 @@ checkCombination(const Options& options)
     throw UsageError("--score writes --json only, neither --csv nor --plot");
   if (scores_map == !options.folder.empty())
     throw UsageError(scores_map ? "either DIR or --score" : "DIR, a folder with data sets, is missing");
+  if (!options.evidence.empty() && (options.graph || !options.csv.empty() || !options.json.empty() ||
+                                    !options.plot.empty() || !options.map_folder.empty()))
+    throw UsageError("--evidence writes nothing else: it goes with no other output");
   if (options.graph && (options.run.as_cloud || !options.csv.empty() || !options.json.empty() ||
                         !options.plot.empty() || !options.map_folder.empty()))
     throw UsageError("--graph finds no maps: it goes with neither --as-cloud nor an output file");
@@ -230,6 +238,7 @@ takeOptions(const po::variables_map& arguments)
   take(arguments, "json", options.json);
   take(arguments, "plot", options.plot);
   options.verbose = arguments.count("verbose") > 0;
+  take(arguments, "evidence", options.evidence);
   take(arguments, "score", options.scored_map);
   take(arguments, "mesh", options.score_mesh);
   take(arguments, "truth", options.score_truth);
@@ -241,7 +250,7 @@ takeOptions(const po::variables_map& arguments)
 void
 checkOutputs(const Options& options, std::vector<std::string> taken)
 {
-  for (const std::string& file : {options.csv, options.json, options.plot}) {
+  for (const std::string& file : {options.csv, options.json, options.plot, options.evidence}) {
     if (file.empty())
       continue;
     if (std::any_of(taken.begin(), taken.end(), [&file](const std::string& other) { return areOneFile(file, other); }))
@@ -311,6 +320,17 @@ scoreExistingMap(const Options& options)
   if (!options.json.empty())
     writeJsonScore(options.json, score);
   return exit_done;
+}
+
+int
+runEvidence(const Options& options)
+{
+  checkOutputs(options, {});
+  checkWritable(options.evidence);
+  const std::vector<EvidenceRow> rows = collectEvidence(selectModels(options), options.run, options.jobs, std::cerr);
+  writeEvidence(options.evidence, rows);
+  std::cout << rows.size() << " maps in " << options.evidence << '\n';
+  return rows.empty() ? exit_failed : exit_done;
 }
 
 int
@@ -391,6 +411,7 @@ run(int argc, char** argv)
   const Options options = takeOptions(arguments);
   const int status = !options.scored_map.empty() ? scoreExistingMap(options)
                      : options.graph             ? runGraphs(options)
+                     : !options.evidence.empty() ? runEvidence(options)
                                                  : runDataSets(options);
   if (!std::cout.flush())
     throw pcl::IOException("standard output: cannot be written");

@@ -6,6 +6,7 @@
 #include <pcl/symmetry/symmetry_result.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -16,6 +17,7 @@ struct MapEstimate {
   SymmetryStatus status = SymmetryStatus::NoSymmetry;
   std::string message; ///< why the status is not Symmetric
   float confidence = 0.0F;
+  float map_confidence = 0.0F;      ///< of the map as it came out, also where it is refused
   float known_holes = 0.0F;         ///< share of the samples into whose cells holes of a mesh reach; 0 for a cloud
   std::vector<Index> partners;      ///< empty where the staged method was asked for sparse matches only
   std::vector<float> confidences;   ///< per point, in [0, 1]
@@ -25,6 +27,7 @@ struct MapEstimate {
   std::vector<Index> extremities;
   std::vector<AlternativeMap> alternatives; ///< reflections
   std::vector<AlternativeMap> rotations;
+  std::vector<std::pair<std::string, float>> measures; ///< what speaks for and against the map, by name
   float diameter = 0.0F; ///< largest landmark distance, in the unit of the prepared surface
 };
 

@@ -42,19 +42,22 @@ public:
   MapEstimate
   verdict(std::vector<Contender>& contenders) const;
 
-  float
-  confidenceOf(const SymmetryCandidate& candidate, const SampleEstimate& samples) const;
+  /** \brief What speaks for and against a map. */
+  MapEvidence
+  evidenceFor(const SymmetryCandidate& candidate, const SampleEstimate& samples) const
+  {
+    return gatherEvidence(sampled_, candidate, samples, spacing_);
+  }
 
 private:
   float
-  chooseContender(std::vector<Contender>& contenders) const;
+  chooseContender(std::vector<Contender>& contenders, MapEvidence& evidence) const;
 
   float
   knownHoles() const;
 
   const SampledSurface& sampled_;
   PointSpacing spacing_; ///< of a cloud
-  float share_at_holes_; ///< of the samples
 };
 
 } // namespace symmetry

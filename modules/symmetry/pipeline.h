@@ -11,19 +11,23 @@
 #include <pcl/symmetry/symmetry_parameters.h>
 #include <pcl/symmetry/symmetry_result.h>
 
+#include <functional>
+
 namespace pcl {
 namespace symmetry {
 
 /** \brief Understands a surface in one way after another until its symmetry is settled, and returns the way that
  * convinces most, with the map.
  * \param[out] summary what was used, also if the timer cancels
+ * \param[in] observer is shown each interpretation with its map, also one that is refused; may be empty
  * \throws Cancelled by the timer */
 Interpretation
 interpretSurface(const Surface& surface,
                  const SymmetryParameters& parameters,
                  const NeighbourSearch& search,
                  StepTimer& timer,
-                 InputSummary& summary);
+                 InputSummary& summary,
+                 const std::function<void(const Interpretation&)>& observer = {});
 
 /** \brief Estimates the symmetry of a surface whose triangles and parameters have been checked.
  *

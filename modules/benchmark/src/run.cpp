@@ -2,8 +2,8 @@
 
 #include "base/error_text.h"
 #include "base/parallel.h"
+#include "benchmark/model_input.h"
 
-#include <pcl/symmetry/surface_io.h>
 #include <pcl/symmetry/symmetry.h>
 
 #include <algorithm>
@@ -31,58 +31,15 @@ takeResult(ModelRun& run, SymmetryResult result, const std::vector<Index>& origi
       run.confidences[static_cast<std::size_t>(origins[i])] = result.confidences[i];
 }
 
-/** The part of the ground truth that is scored: a point that was dropped is nothing the estimation was asked about.
- * \param[in] with_partner nor is one whose partner is gone; where single points were dropped, one next to it will do */
-GroundTruth
-selectTruth(const GroundTruth& truth, const std::vector<Index>& origins, std::size_t points, bool with_partner)
-{
-  std::vector<bool> is_present(points, false);
-  for (const Index origin : origins)
-    if (origin != no_index)
-      is_present[static_cast<std::size_t>(origin)] = true;
-  const auto is_asked = [&](const TruePartner& p) {
-    return is_present[static_cast<std::size_t>(p.vertex)] &&
-           (!with_partner || is_present[static_cast<std::size_t>(p.partner)]);
-  };
-  GroundTruth selected = subsampleTruth(truth);
-  selected.erase(std::remove_if(selected.begin(), selected.end(), [&](const TruePartner& p) { return !is_asked(p); }),
-                 selected.end());
-  return selected;
-}
-
-/** The mesh as it is given to the estimation. */
-DisturbedSurface
-prepareInput(const Surface& mesh, const GroundTruth& truth, const RunOptions& options)
-{
-  if (!options.cut_limb)
-    return disturb(mesh, options.disturbance);
-  const DisturbedSurface rest = cutLimb(mesh, truth, *options.cut_limb, options.as_cloud ? Stump::Open : Stump::Closed);
-  DisturbedSurface input = disturb(rest.surface, options.disturbance);
-  for (Index& origin : input.origins)
-    if (origin != no_index)
-      origin = rest.origins[static_cast<std::size_t>(origin)];
-  return input;
-}
-
 void
 runAndScore(ModelRun& run, const RunOptions& options)
 {
-  const Surface mesh = readSurface(run.model.file);
-  run.points = mesh.size();
-  run.faces = mesh.triangles.size();
-  GroundTruth truth;
-  if (!run.model.truth.empty()) {
-    truth = readGroundTruth(run.model.truth);
-    checkGroundTruth(truth, mesh.size(), run.model.truth);
-  }
-
-  DisturbedSurface input = prepareInput(mesh, truth, options);
-  if (options.as_cloud)
-    input.surface.triangles.clear();
-  takeResult(run, estimateIntrinsicSymmetry(input.surface, options.parameters), input.origins);
-  if (!truth.empty() && !options.cut_limb) {
-    const GroundTruth asked = selectTruth(truth, input.origins, mesh.size(), options.disturbance.holes > 0);
-    run.score = scoreMap(mesh, asked, run.partners, options.parameters.threads);
+  const ModelInput model = readModel(run.model, options);
+  run.points = model.mesh.size();
+  run.faces = model.mesh.triangles.size();
+  takeResult(run, estimateIntrinsicSymmetry(model.input.surface, options.parameters), model.input.origins);
+  if (!model.asked.empty()) {
+    run.score = scoreMap(model.mesh, model.asked, run.partners, options.parameters.threads);
   }
 }
 

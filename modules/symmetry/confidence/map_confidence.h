@@ -3,10 +3,8 @@
  */
 #pragma once
 
-#include "symmetry/confidence/map_asymmetry.h"
-#include "symmetry/refine/patch_alignment.h"
+#include "symmetry/confidence/map_evidence.h"
 #include "symmetry/samples/sampled_surface.h"
-#include "symmetry/search/map_score.h"
 
 #include <utility>
 #include <vector>
@@ -34,35 +32,6 @@ isRotation(const MapScore& score);
  */
 float
 candidateConfidence(const MapScore& score, const AsymmetryMeasures& measures);
-
-/** \brief How densely and evenly the points of a cloud lie. */
-struct PointSpacing {
-  /** Mean distance of a sample from its neighbours in the graph, share of the diameter; nine of ten samples have closer
-   * ones. Where the points are farther apart than the samples should be, distances and patches are no more precise. */
-  float sparse = 0.0F;
-  /** Mean distance of a sample from its neighbours over that from the nearest one, the median sample: 1.4 where points
-   * are evenly spread, about 2.3 where they lie at random and leave gaps. */
-  float irregularity = 1.0F;
-};
-
-/** \brief Measures the points around the samples; samples without neighbours at a distance do not count. */
-PointSpacing
-measureSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, float diameter);
-
-/** \brief Irregularity from which on the points of a cloud lie at random, or nearly so. */
-constexpr float random_irregularity = 1.8F;
-
-/** \brief What speaks for and against a refined map. */
-struct MapEvidence {
-  MapScore score;               ///< of the refined map
-  float rough_curvature = 0.0F; ///< MapScore::curvature before: refinement lays curved places on each other if it can
-  AsymmetryMeasures measures;
-  PatchFit fit{0.0F, 0.0F};    ///< of the patches and their images, the mean
-  float worst_distance = 0.0F; ///< of the worst of them: SampleEstimate::worst_distance
-  bool is_noisy = false;       ///< the surface is that of a cloud which had to be smoothed: part of the misfit is noise
-  float at_holes = 0.0F;       ///< share of the samples into whose cells holes reach
-  PointSpacing spacing;        ///< of a cloud; the faces of a mesh tell what is between its points
-};
 
 /** \brief Confidence of a whole map in [0, 1]: how likely it is a right map of a symmetric surface.
  *

@@ -33,7 +33,8 @@ struct RefinementSettings {
 struct SampleEstimate {
   SampleMap map;               ///< sample in whose cell the partner of each sample lies
   std::vector<Index> partners; ///< point that is the partner of each sample
-  PatchFit fit{0.0F, 0.0F};    ///< how well the smallest patches fit their images: the mean
+  std::vector<PatchFit> fits;  ///< how well the smallest patches fit their images; patch k is around sample k
+  PatchFit fit{0.0F, 0.0F};    ///< the mean of them
   float worst_distance = 0.0F; ///< PatchFit::distance that 98 % of the smallest patches do not reach
   SampleMap landmark_map;      ///< the same map among the landmarks
   MapScore score;              ///< of that

@@ -19,6 +19,7 @@ namespace symmetry {
  */
 struct LandmarkSurface {
   Eigen::MatrixXf distances;           ///< landmarks x landmarks, geodesic along the coarse graph, exactly symmetric
+  Eigen::MatrixXf to_samples;          ///< samples x landmarks: distance from each landmark to every sample
   float diameter = 0.0F;               ///< largest distance
   std::vector<Triangle> triangles;     ///< dual of the landmarks' cells
   std::vector<Index> nearest_landmark; ///< of every sample

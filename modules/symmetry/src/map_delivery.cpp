@@ -119,8 +119,9 @@ deliverAlternatives(const SampledSurface& sampled,
                                                          withFirst(*taken.candidate, candidates), settings, maximum);
   for (const DistinctReflection& reflection : distinct.reflections) {
     const SampleEstimate samples = refinement.refine(reflection.candidate);
-    const float confidence = estimate.alternatives.empty() ? estimate.confidence // of the map itself
-                                                           : judge.confidenceOf(reflection.candidate, samples);
+    const float confidence = estimate.alternatives.empty()
+                                 ? estimate.confidence // of the map itself
+                                 : mapConfidence(judge.evidenceFor(reflection.candidate, samples));
     estimate.alternatives.push_back(
         {partnersOfPoints(sampled, samples.partners), reflection.candidate.score.value, confidence, true});
   }

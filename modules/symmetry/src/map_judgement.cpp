@@ -27,44 +27,36 @@ MapJudge::MapJudge(const SampledSurface& sampled)
     : sampled_(sampled),
       spacing_(sampled.surface.is_cloud
                    ? measureSpacing(sampled.surface.graph, sampled.coarse.cells.vertices, sampled.landmarks.diameter)
-                   : PointSpacing{}),
-      share_at_holes_(static_cast<float>(std::count(sampled.coarse.at_hole.begin(), sampled.coarse.at_hole.end(), 1)) /
-                      static_cast<float>(sampled.coarse.size()))
+                   : PointSpacing{})
 {
-}
-
-float
-MapJudge::confidenceOf(const SymmetryCandidate& candidate, const SampleEstimate& samples) const
-{
-  return mapConfidence({samples.score, candidate.score.curvature,
-                        findAsymmetry(sampled_.landmarks, sampled_.descriptor.curvature, samples.landmark_map),
-                        samples.fit, samples.worst_distance, sampled_.surface.summary.smoothing_radius > 0.0F,
-                        share_at_holes_, spacing_});
 }
 
 /** Share of the samples at holes where faces tell: sparse points have gaps that look alike. */
 float
 MapJudge::knownHoles() const
 {
-  return sampled_.surface.is_cloud && !sampled_.surface.summary.read_as_cloud ? 0.0F : share_at_holes_;
+  return sampled_.surface.is_cloud && !sampled_.surface.summary.read_as_cloud ? 0.0F : shareAtHoles(sampled_.coarse);
 }
 
 /** Brings the contender that is taken to the front and returns its confidence. */
 float
-MapJudge::chooseContender(std::vector<Contender>& contenders) const
+MapJudge::chooseContender(std::vector<Contender>& contenders, MapEvidence& evidence) const
 {
-  const float confidence = confidenceOf(*contenders.front().candidate, contenders.front().samples);
+  evidence = evidenceFor(*contenders.front().candidate, contenders.front().samples);
+  const float confidence = mapConfidence(evidence);
   const float least = leastMapConfidence(knownHoles());
   if (!sampled_.surface.is_cloud || confidence >= least) {
     return confidence;
   }
-  std::vector<RatedMap> maps;
-  maps.reserve(contenders.size());
-  for (const Contender& contender : contenders) {
-    maps.push_back({contender.samples.value, confidenceOf(*contender.candidate, contender.samples)});
+  std::vector<MapEvidence> evidences{evidence};
+  std::vector<RatedMap> maps{{contenders.front().samples.value, confidence}};
+  for (std::size_t k = 1; k < contenders.size(); ++k) {
+    evidences.push_back(evidenceFor(*contenders[k].candidate, contenders[k].samples));
+    maps.push_back({contenders[k].samples.value, mapConfidence(evidences.back())});
   }
   const auto [number, trusted] = bestTrustedMap(maps, least);
   std::swap(contenders.front(), contenders[number]);
+  evidence = evidences[number];
   return trusted;
 }
 
@@ -79,7 +71,10 @@ MapJudge::verdict(std::vector<Contender>& contenders) const
     return estimate;
   }
   estimate.known_holes = knownHoles();
-  const float confidence = chooseContender(contenders);
+  MapEvidence evidence;
+  const float confidence = chooseContender(contenders, evidence);
+  estimate.measures = namedMeasures(evidence);
+  estimate.map_confidence = confidence;
   const Contender& best = contenders.front();
   if (confidence < leastMapConfidence(estimate.known_holes)) {
     estimate.confidence = confidence_of_refused * confidence;

@@ -169,7 +169,8 @@ interpretSurface(const Surface& surface,
                  const SymmetryParameters& parameters,
                  const NeighbourSearch& search,
                  StepTimer& timer,
-                 InputSummary& summary)
+                 InputSummary& summary,
+                 const std::function<void(const Interpretation&)>& observer)
 {
   // Interpret: in one way after another until the result is settled; the ways vote.
   InterpretationPlan plan(surface, parameters, search);
@@ -180,7 +181,11 @@ interpretSurface(const Surface& surface,
     summary = prepared->summary;
     // Sample, search, refine, judge: by either method.
     MapEstimate estimate = estimateMap(*prepared, parameters, timer);
-    rivals.add({std::move(*prepared), std::move(estimate)});
+    Interpretation interpretation{std::move(*prepared), std::move(estimate)};
+    if (observer) {
+      observer(interpretation);
+    }
+    rivals.add(std::move(interpretation));
     timer.start("graph", 0.0);
   }
   return rivals.takeBest();

@@ -52,13 +52,13 @@ estimateRobust(const PreparedSurface& surface,
   // Judge: which of them fits best, and whether it is a symmetry at all.
   const MapJudge judge(sampled);
   MapEstimate estimate = judge.verdict(contenders);
-  if (estimate.status != SymmetryStatus::Symmetric) {
+  if (contenders.empty()) {
     return estimate;
   }
-  // Deliver: from the samples to all points.
+  // Deliver: from the samples to all points, also where the map is refused: other interpretations may speak for it.
   timer.start("dense", 0.8);
   deliverMap(sampled, contenders.front().samples, estimate);
-  if (parameters.alternatives > 1 && !parameters.sparse_only) {
+  if (estimate.status == SymmetryStatus::Symmetric && parameters.alternatives > 1 && !parameters.sparse_only) {
     deliverAlternatives(sampled, refinement, judge, contenders.front(), candidates, settings.search,
                         static_cast<std::size_t>(parameters.alternatives), estimate);
   }

@@ -73,27 +73,6 @@ candidateConfidence(const MapScore& score, const AsymmetryMeasures& measures)
       c.curvature * std::log(measures.curvature + c.curvature_floor) + c.fixed * std::min(score.fixed, c.fixed_bound));
 }
 
-PointSpacing
-measureSpacing(const SurfaceGraph& graph, const std::vector<Index>& samples, float diameter)
-{
-  constexpr double nearly_all = 0.9;
-  std::vector<float> means;
-  std::vector<float> ratios;
-  for (const Index v : samples) {
-    const auto begin = graph.lengths.begin() + graph.offsets[v];
-    const auto end = graph.lengths.begin() + graph.offsets[v + 1];
-    const float nearest = begin != end ? *std::min_element(begin, end) : 0.0F;
-    if (nearest > 0.0F) { // and not too small for a float
-      means.push_back(std::accumulate(begin, end, 0.0F) / static_cast<float>(end - begin));
-      ratios.push_back(means.back() / nearest);
-    }
-  }
-  if (means.empty()) {
-    return {};
-  }
-  return {quantile(std::move(means), nearly_all) / diameter, median(std::move(ratios))};
-}
-
 float
 mapConfidence(const MapEvidence& evidence)
 {

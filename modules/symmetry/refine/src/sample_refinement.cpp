@@ -116,9 +116,9 @@ SampleRefinement::refine(const SymmetryCandidate& candidate) const
       scoreMap(sampled_.landmarks, guide_, estimate.landmark_map, settings_.score_queries, settings_.score);
   estimate.value = estimate.score.value;
   if (!alignments_.empty()) {
-    const std::vector<PatchFit> fits = alignments_.back().fits(partners);
-    estimate.fit = meanOf(fits);
-    estimate.worst_distance = worstDistance(fits);
+    estimate.fits = alignments_.back().fits(partners);
+    estimate.fit = meanOf(estimate.fits);
+    estimate.worst_distance = worstDistance(estimate.fits);
     estimate.value += settings_.fit * logMisfit(estimate.fit);
   }
   return estimate;

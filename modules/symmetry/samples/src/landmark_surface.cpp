@@ -108,6 +108,8 @@ makeLandmarkSurface(const CoarseSurface& surface, std::size_t landmarks, Metric 
     result.distances.col(i) = Eigen::Map<const Eigen::VectorXf>(fields.row(static_cast<std::size_t>(i)), n);
   }
   result.distances = (0.5F * (result.distances + result.distances.transpose())).eval();
+  result.to_samples =
+      Eigen::Map<const Eigen::MatrixXf>(fields.values.data(), static_cast<Eigen::Index>(fields.columns), n);
   result.diameter = result.distances.maxCoeff();
   result.points.assign(surface.points.begin(), surface.points.begin() + n);
   result.normals.assign(surface.normals.begin(), surface.normals.begin() + n);

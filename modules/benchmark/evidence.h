@@ -1,0 +1,41 @@
+/** \file
+ * \brief The table that the confidence of a map is calibrated with: all measures of every map, and whether it is right.
+ */
+#pragma once
+
+#include "benchmark/run.h"
+
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief One map of one interpretation of a model, whether it is delivered or not. */
+struct EvidenceRow {
+  BenchmarkModel model;
+  std::string input;      ///< mesh, cloud or mesh_as_cloud
+  std::size_t number = 0; ///< of the interpretation, from 0
+  bool is_cut = false;    ///< a limb was cut off: no map is right
+  double rate = 0.0;      ///< Correspondence Rate; 0 where a limb was cut off
+  float confidence = 0.0F;
+  std::vector<std::pair<std::string, float>> measures; ///< namedMeasures ()
+};
+
+/** \brief Runs models, \a jobs at a time, by the robust method, and collects a row for every interpretation; in the
+ * order of the models. Models that fail are left out with a line to \a errors. */
+std::vector<EvidenceRow>
+collectEvidence(const std::vector<BenchmarkModel>& models,
+                const RunOptions& options,
+                unsigned jobs,
+                std::ostream& errors);
+
+/** \brief Comma-separated values with a header line; without rows nothing, since the measures have no names then.
+ * \throws pcl::IOException cannot be written */
+void
+writeEvidence(const std::string& path, const std::vector<EvidenceRow>& rows);
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,122 @@
+#include "benchmark/evidence.h"
+
+#include "../../estimation/src/neighbour_search.h"
+#include "base/error_text.h"
+#include "base/parallel.h"
+#include "benchmark/metrics.h"
+#include "benchmark/model_input.h"
+#include "io/write/output_file.h"
+#include "symmetry/pipeline.h"
+
+#include <exception>
+#include <iterator>
+#include <ostream>
+#include <sstream>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** The map of one interpretation in the numbers of the model's file. */
+std::vector<Index>
+mapOfModel(const Interpretation& interpretation, const ModelInput& model)
+{
+  const PreparedSurface& surface = interpretation.surface;
+  const std::vector<Index>& partners = interpretation.estimate.partners;
+  std::vector<Index> of_input(surface.representatives.size(), no_index);
+  for (std::size_t v = 0; v < of_input.size() && !partners.empty(); ++v) {
+    if (surface.representatives[v] != no_index && partners[surface.representatives[v]] != no_index) {
+      of_input[v] = surface.original[partners[surface.representatives[v]]];
+    }
+  }
+  return undisturbMap(of_input, model.input.origins, model.mesh.size());
+}
+
+std::vector<EvidenceRow>
+evidenceOf(const BenchmarkModel& model, const RunOptions& options)
+{
+  const ModelInput input = readModel(model, options);
+  std::vector<EvidenceRow> rows;
+  StepTimer timer;
+  InputSummary summary;
+  interpretSurface(
+      input.input.surface, options.parameters,
+      [&options](const std::vector<Vector3>& points, int k) {
+        return searchByKdTree(points, k, options.parameters.threads);
+      },
+      timer, summary,
+      [&](const Interpretation& interpretation) {
+        const MapEstimate& estimate = interpretation.estimate;
+        EvidenceRow row;
+        row.model = model;
+        row.input = interpretation.surface.summary.read_as_cloud ? "mesh_as_cloud"
+                    : options.as_cloud                           ? "cloud"
+                                                                 : "mesh";
+        row.number = rows.size();
+        row.is_cut = options.cut_limb.has_value();
+        row.confidence = estimate.map_confidence;
+        row.measures = estimate.measures;
+        if (!input.asked.empty()) {
+          row.rate = scoreMap(input.mesh, input.asked, mapOfModel(interpretation, input), options.parameters.threads)
+                         .correspondenceRate();
+        }
+        if (!row.measures.empty()) {
+          rows.push_back(std::move(row));
+        }
+      });
+  return rows;
+}
+
+} // namespace
+
+std::vector<EvidenceRow>
+collectEvidence(const std::vector<BenchmarkModel>& models,
+                const RunOptions& options,
+                unsigned jobs,
+                std::ostream& errors)
+{
+  std::vector<std::vector<EvidenceRow>> rows(models.size());
+  std::vector<std::string> failures(models.size());
+  parallelFor(models.size(), jobs, [&](std::size_t i) {
+    try {
+      rows[i] = evidenceOf(models[i], options);
+    }
+    catch (const std::exception& error) {
+      failures[i] = errorText(error);
+    }
+  });
+  std::vector<EvidenceRow> all;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (!failures[i].empty()) {
+      errors << models[i].set << '/' << models[i].name << ": " << failures[i] << '\n';
+    }
+    all.insert(all.end(), std::make_move_iterator(rows[i].begin()), std::make_move_iterator(rows[i].end()));
+  }
+  return all;
+}
+
+void
+writeEvidence(const std::string& path, const std::vector<EvidenceRow>& rows)
+{
+  std::ostringstream out;
+  out.precision(7);
+  for (const EvidenceRow& row : rows) {
+    if (&row == &rows.front()) {
+      out << "set,class,model,input,number,cut,rate,confidence";
+      for (const auto& measure : row.measures) {
+        out << ',' << measure.first;
+      }
+      out << '\n';
+    }
+    out << row.model.set << ',' << row.model.class_name << ',' << row.model.name << ',' << row.input << ','
+        << row.number << ',' << (row.is_cut ? 1 : 0) << ',' << row.rate << ',' << row.confidence;
+    for (const auto& measure : row.measures) {
+      out << ',' << measure.second;
+    }
+    out << '\n';
+  }
+  writeWholeFile(path, out.str());
+}
+
+} // namespace symmetry
+} // namespace pcl
