@@ -315,7 +315,7 @@ scoreExistingMap(const Options& options)
   const GroundTruth truth = readGroundTruth(options.score_truth);
   checkGroundTruth(truth, mesh.size(), options.score_truth);
   const std::vector<Index> partners = readMap(options.scored_map, mesh.size());
-  const MapScore score = scoreMap(mesh, truth, partners, options.run.parameters.threads);
+  const MapAccuracy score = scoreMap(mesh, truth, partners, options.run.parameters.threads);
   printScore(std::cout, score);
   if (!options.json.empty())
     writeJsonScore(options.json, score);

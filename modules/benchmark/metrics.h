@@ -23,11 +23,11 @@ constexpr double right_map_rate = 0.75;
 struct VertexError {
   Index vertex = no_index;
   double geodesic = 0.0; ///< share of the diameter, in [0, 1]; 1 where the vertex has no partner
-  bool right = false;    ///< the distance is below MapScore::radius
+  bool right = false;    ///< the distance is below MapAccuracy::radius
 };
 
 /** \brief The score of one map. */
-struct MapScore {
+struct MapAccuracy {
   std::size_t vertices = 0;        ///< of the mesh
   std::size_t matched = 0;         ///< scored vertices that have a partner
   std::size_t map_size = 0;        ///< vertices that have a partner
@@ -71,7 +71,7 @@ subsampleTruth(const GroundTruth& truth);
  * \throws pcl::BadArgumentException no faces, no truth, another number of partners than points, an index out of range,
  * or a mesh without extent
  */
-MapScore
+MapAccuracy
 scoreMap(const Surface& mesh, const GroundTruth& truth, const std::vector<Index>& partners, unsigned threads = 1);
 
 } // namespace symmetry

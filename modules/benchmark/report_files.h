@@ -27,7 +27,7 @@ writeJsonReport(const std::string& path, const std::vector<ModelRun>& runs, cons
 /** \brief Writes the score of one map as one object, with the names that the CSV report has.
  * \throws pcl::IOException cannot be written */
 void
-writeJsonScore(const std::string& path, const MapScore& score);
+writeJsonScore(const std::string& path, const MapAccuracy& score);
 
 } // namespace symmetry
 } // namespace pcl

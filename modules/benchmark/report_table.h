@@ -37,7 +37,7 @@ printRefusals(std::ostream& out, const std::vector<ModelRun>& runs);
 
 /** \brief Writes the score of one map. */
 void
-printScore(std::ostream& out, const MapScore& score);
+printScore(std::ostream& out, const MapAccuracy& score);
 
 } // namespace symmetry
 } // namespace pcl

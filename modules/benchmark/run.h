@@ -45,8 +45,8 @@ struct ModelRun {
   MapSummary map;
   std::vector<std::pair<std::string, double>> seconds; ///< per step of the estimation
 
-  std::optional<MapScore> score; ///< of the map as delivered, whatever the status; nothing without ground
-                                 ///< truth or after a limb was cut off
+  std::optional<MapAccuracy> score; ///< of the map as delivered, whatever the status; nothing without ground
+                                    ///< truth or after a limb was cut off
 
   /** \brief Correspondence Rate; 0 after a failure or without ground truth. */
   double

@@ -99,7 +99,7 @@ denseTruth(const Partners& partners)
 TEST(MetricsTest, TheTruthItselfIsPerfect)
 {
   const Partners mirror = gridMirror(6, 4);
-  const MapScore score = scoreMap(test::gridMesh(6, 4), denseTruth(mirror), mirror);
+  const MapAccuracy score = scoreMap(test::gridMesh(6, 4), denseTruth(mirror), mirror);
   EXPECT_EQ(score.correspondenceRate(), 1.0);
   EXPECT_EQ(score.meanGeodesicError(), 0.0);
   EXPECT_EQ(score.shareBelow(0.05), 1.0);
@@ -113,7 +113,7 @@ TEST(MetricsTest, RadiusAndDiameterOfASquareAreKnown)
   // 5 x 5 vertices one apart, one diagonal in each cell from (i, j) to (i + 1, j + 1): the other diagonal is all
   // zigzag.
   const Surface grid = test::gridMesh(5, 5);
-  const MapScore score = scoreMap(grid, {{4, 0}, {0, 4}}, gridMirror(5, 5));
+  const MapAccuracy score = scoreMap(grid, {{4, 0}, {0, 4}}, gridMirror(5, 5));
   EXPECT_NEAR(score.area, 16.0, 1e-12);
   EXPECT_NEAR(score.radius, std::sqrt(16.0 / (20.0 * pi)), 1e-12);
   EXPECT_NEAR(score.diameter, 8.0, 1e-6) << "from (4, 0) to (0, 4) along the sides of the cells";
@@ -128,7 +128,7 @@ TEST(MetricsTest, ErrorIsTheDistanceAlongEdgesOverTheDiameter)
   Partners partners(25, no_index);
   partners[0] = 2;     // two steps from vertex 4
   partners[4] = 5 + 1; // one diagonal from vertex 0
-  const MapScore score = scoreMap(grid, truth, partners);
+  const MapAccuracy score = scoreMap(grid, truth, partners);
   ASSERT_EQ(score.errors.size(), 2U);
   EXPECT_NEAR(score.errors[0].geodesic, std::sqrt(2.0) / 8.0, 1e-6);
   EXPECT_NEAR(score.errors[1].geodesic, 2.0 / 8.0, 1e-6);
@@ -148,7 +148,7 @@ TEST(MetricsTest, AgreesWithBruteForce)
   for (Index& partner : partners)
     if (random() % 3 == 0)
       partner = random() % 4 == 0 ? no_index : static_cast<Index>(random() % sphere.size());
-  const MapScore score = scoreMap(sphere, denseTruth(truth), partners);
+  const MapAccuracy score = scoreMap(sphere, denseTruth(truth), partners);
   const BruteForceScore expected = bruteForceScore(sphere, denseTruth(truth), partners, score.area);
   EXPECT_LT(expected.correspondence_rate, 0.95);
   EXPECT_NEAR(score.correspondenceRate(), expected.correspondence_rate, 1e-12);
@@ -165,7 +165,7 @@ TEST(MetricsTest, AMissingPartnerAndAnUnreachableOneAreWrongByTheDiameter)
     two.triangles.push_back({t[0] + 9, t[1] + 9, t[2] + 9});
   Partners partners(18, no_index);
   partners[2] = 10;
-  const MapScore score = scoreMap(two, {{0, 2}, {2, 0}}, partners);
+  const MapAccuracy score = scoreMap(two, {{0, 2}, {2, 0}}, partners);
   EXPECT_EQ(score.meanGeodesicError(), 1.0);
   EXPECT_EQ(score.correspondenceRate(), 0.0);
   EXPECT_EQ(score.matched, 1U);
@@ -179,8 +179,8 @@ TEST(MetricsTest, DoesNotDependOnScaleOrThreads)
   Partners partners = gridMirror(9, 7);
   const GroundTruth truth = denseTruth(partners);
   std::rotate(partners.begin(), partners.begin() + 1, partners.end());
-  const MapScore score = scoreMap(grid, truth, partners);
-  const MapScore large = scoreMap(test::scaled(grid, {1024.0F, 1024.0F, 1024.0F}), truth, partners, 3);
+  const MapAccuracy score = scoreMap(grid, truth, partners);
+  const MapAccuracy large = scoreMap(test::scaled(grid, {1024.0F, 1024.0F, 1024.0F}), truth, partners, 3);
   EXPECT_EQ(large.correspondenceRate(), score.correspondenceRate());
   EXPECT_DOUBLE_EQ(large.meanGeodesicError(), score.meanGeodesicError());
   EXPECT_DOUBLE_EQ(large.diameter, 1024.0 * score.diameter);
@@ -202,7 +202,7 @@ TEST(MetricsTest, LongTruthsAreThinnedToAtMost200)
 
 TEST(MetricsTest, RightMapsNeedMoreThanThreeQuarters)
 {
-  MapScore score;
+  MapAccuracy score;
   score.errors = {{0, 0.0, true}, {1, 0.0, true}, {2, 0.0, true}, {3, 1.0, false}};
   EXPECT_FALSE(score.isRight());
   score.errors.push_back({4, 0.0, true});

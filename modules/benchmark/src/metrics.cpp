@@ -125,14 +125,14 @@ countMatched(const std::vector<Index>& partners)
 } // namespace
 
 double
-MapScore::correspondenceRate() const
+MapAccuracy::correspondenceRate() const
 {
   const auto right = std::count_if(errors.begin(), errors.end(), [](const VertexError& e) { return e.right; });
   return errors.empty() ? 0.0 : static_cast<double>(right) / static_cast<double>(errors.size());
 }
 
 double
-MapScore::meanGeodesicError() const
+MapAccuracy::meanGeodesicError() const
 {
   double sum = 0.0;
   for (const VertexError& error : errors)
@@ -141,7 +141,7 @@ MapScore::meanGeodesicError() const
 }
 
 double
-MapScore::shareBelow(double threshold) const
+MapAccuracy::shareBelow(double threshold) const
 {
   const auto below =
       std::count_if(errors.begin(), errors.end(), [threshold](const VertexError& e) { return e.geodesic < threshold; });
@@ -159,14 +159,14 @@ subsampleTruth(const GroundTruth& truth)
   return sample;
 }
 
-MapScore
+MapAccuracy
 scoreMap(const Surface& mesh, const GroundTruth& truth, const std::vector<Index>& partners, unsigned threads)
 {
   checkArguments(mesh, truth, partners);
   const SurfaceGraph graph = buildMeshGraph(mesh.points, mesh.triangles);
   const GroundTruth sample = subsampleTruth(truth);
 
-  MapScore score;
+  MapAccuracy score;
   score.vertices = mesh.size();
   score.map_size = countMatched(partners);
   score.area = surfaceArea(mesh);

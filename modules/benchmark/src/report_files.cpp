@@ -22,7 +22,7 @@ thresholdName(double threshold)
 }
 
 Json
-describeScore(const MapScore& score)
+describeScore(const MapAccuracy& score)
 {
   Json object;
   object["truth"] = score.errors.size();
@@ -49,7 +49,7 @@ describeRun(const ModelRun& run)
   object["faces"] = run.faces;
   object["status"] = run.failure.empty() ? toString(run.status) : "failed";
   object["confidence"] = run.confidence;
-  const Json score = describeScore(run.score.value_or(MapScore{}));
+  const Json score = describeScore(run.score.value_or(MapAccuracy{}));
   for (const auto& [name, value] : score.items())
     object[name] = run.score ? value : Json();
   // A failed run counts as wrong in every mean, so it does here.
@@ -221,7 +221,7 @@ writeJsonReport(const std::string& path, const std::vector<ModelRun>& runs, cons
 }
 
 void
-writeJsonScore(const std::string& path, const MapScore& score)
+writeJsonScore(const std::string& path, const MapAccuracy& score)
 {
   writeWholeFile(path, describeScore(score).dump(2) + '\n');
 }

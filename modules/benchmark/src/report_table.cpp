@@ -165,7 +165,7 @@ printRefusals(std::ostream& out, const std::vector<ModelRun>& runs)
 }
 
 void
-printScore(std::ostream& out, const MapScore& score)
+printScore(std::ostream& out, const MapAccuracy& score)
 {
   out << "correspondence rate " << number(score.correspondenceRate(), 0, 4) << "  mean geodesic error "
       << number(score.meanGeodesicError(), 0, 4) << "  matched " << score.matched << '/' << score.errors.size() << '\n';
