@@ -3,7 +3,7 @@
  *
  * The error of a vertex is the geodesic distance, along the edges of the mesh, from its computed to its true
  * partner. The metrics are those of Kim, Lipman, Chen and Funkhouser: Moebius transformations for global intrinsic
- * symmetry analysis, 2010, and Blended intrinsic maps, 2011.
+ * symmetry analysis, 2010, and Blended intrinsic maps, 2011. \cite kim2010moebius \cite kim2011blended
  */
 #pragma once
 

@@ -71,7 +71,7 @@ struct KernelTable {
                           std::size_t columns);
 
   /** \brief Shortest paths between all pairs of kernel_lanes vertices from the lengths of their edges, in place
-   * (R. W. Floyd: Algorithm 97, shortest path. CACM 5(6), 1962). Entries are not negative. */
+   * (R. W. Floyd: Algorithm 97, shortest path. CACM 5(6), 1962 \cite floyd1962algorithm). Entries are not negative. */
   void (*close_tile)(float* tile, std::size_t stride);
 
   /** \brief Writes entry j of rows[i] to entry i of columns[j], for all i and j below kernel_lanes. */

@@ -22,7 +22,8 @@ using Pose = std::vector<Eigen::Vector3d>;
 Pose
 randomPose(const BodyPlan& plan, double bend, RandomNumbers& random);
 
-/** \brief Moves points of the rest pose's skin as the bones move: dual quaternion skinning (Kavan et al. 2008).
+/** \brief Moves points of the rest pose's skin as the bones move: dual quaternion skinning (Kavan et al. 2008
+ * \cite kavan2008skinning).
  *
  * The weights fall off over about a fifth of the local radius of a limb around a joint, so that lengths change only
  * there. Cost: points times pieces of flesh.

@@ -12,7 +12,8 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief SplitMix64 (Steele, Lea and Flood 2014); the distributions of <random> differ between standard libraries. */
+/** \brief SplitMix64 (Steele, Lea and Flood 2014 \cite steele2014splittable); the distributions of the header random
+ * differ between standard libraries. */
 class RandomNumbers {
 public:
   explicit RandomNumbers(std::uint64_t seed) : state_(seed)

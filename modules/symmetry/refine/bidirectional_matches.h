@@ -23,9 +23,9 @@ public:
 
   /** \brief Where the matches around a point put its partner: in space, near the surface.
    *
-   * Moving least squares (P. Lancaster, K. Salkauskas, 1981) over the matches that start in the cell of the point or
-   * one adjacent to it, linear in the tangent plane and damped towards the weighted mean, which is what remains where
-   * they do not span the plane (on a finger or a tail a cell wide). */
+   * Moving least squares (P. Lancaster, K. Salkauskas, 1981 \cite lancaster1981surfaces) over the matches that start in
+   * the cell of the point or one adjacent to it, linear in the tangent plane and damped towards the weighted mean,
+   * which is what remains where they do not span the plane (on a finger or a tail a cell wide). */
   Vector3
   imageOf(Index point) const;
 

@@ -29,7 +29,8 @@ struct PatchFit {
  * Poses bend a body, but between the joints they move it rigidly: a patch is a nearly exact mirror image of its partner
  * patch. In each round a reflection is fitted to every patch and its image; each sample goes to the mean of where the
  * reflections of the patches around it put it, better fits counting more, then to the nearest place of the surface that
- * faces the right way. It is the iterative closest point algorithm (P. Besl, N. McKay, 1992; Y. Chen, G. Medioni, 1992)
+ * faces the right way. It is the iterative closest point algorithm (P. Besl, N. McKay, 1992
+ * \cite besl1992registration; Y. Chen, G. Medioni, 1992 \cite chen1992modelling)
  * with a reflection that varies over the surface. What is smooth and round (a forearm) stays as the map has it; a nose,
  * an ear or a knee pulls its surroundings into place.
  */

@@ -33,7 +33,8 @@ public:
   RigidReflection
   byMap(const SurfacePatch& patch, const PreparedSurface& surface, const std::vector<Index>& partners) const;
 
-  /** \brief Moves the image of a patch to the best fit around (iterative closest points, P. Besl, N. McKay, 1992).
+  /** \brief Moves the image of a patch to the best fit around (iterative closest points, P. Besl, N. McKay, 1992
+   * \cite besl1992registration).
    * \param[in] limit given up where the misfit will hardly come below it
    * \param[in] enough misfit below which it is not improved */
   PatchPlacement

@@ -25,7 +25,7 @@ struct GrowthSettings {
  * goes downhill, does not find back. But a hand goes the way of its wrist: the reflection that carries a patch onto its
  * image is tried on the patches around it and, backwards, on those around its image, and settled there; the better one
  * is kept and tried in turn. The patches that fit best come first. So good matches spread in PatchMatch (C. Barnes et
- * al., 2009), which has images in place of surfaces.
+ * al., 2009 \cite barnes2009patchmatch), which has images in place of surfaces.
  * \param[in] fitting of the samples
  * \param[in,out] partners partner point of every sample
  * \return number of times that a patch got a better reflection */

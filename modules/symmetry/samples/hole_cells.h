@@ -17,7 +17,7 @@ namespace symmetry {
  * 0.3 of the longest side of the surface, larger ones are the border of an open surface. A point of a mesh lies on a
  * rim where its triangles do not close around it; one of a cloud, where its neighbours leave out almost half of the
  * directions in its tangent plane, or next to such a point, where they leave out a third: edges are tracked in this way
- * in images (J. Canny, 1986). None are looked for in a cloud that had to be smoothed. Cost O(n).
+ * in images (J. Canny, 1986 \cite canny1986edge). None are looked for in a cloud that had to be smoothed. Cost O(n).
  *
  * \param[in] cells the samples and the cell of each point
  * \param[in] spacing mean distance between adjacent samples

@@ -27,7 +27,7 @@ struct LandmarkSurface {
   std::vector<Vector3> normals;
   std::vector<char> at_hole;               ///< not 0: a hole reaches into the cell of the sample
   std::vector<float> average_distance;     ///< average geodesic distance (AGD) of each landmark
-  std::vector<Index> extremities;          ///< local maxima of the AGD, the farthest out first
+  std::vector<Index> extremities;          ///< local maxima of the AGD \cite kim2010moebius, the farthest out first
   std::vector<std::vector<Index>> nearest; ///< landmarks around each one: nearestLandmarks () of the distances
 
   std::size_t

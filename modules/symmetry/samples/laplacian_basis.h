@@ -18,7 +18,7 @@ struct LaplacianBasis {
 };
 
 /** \brief Solves L f = lambda M f with cotangent weights and lumped masses (U. Pinkall, K. Polthier: Computing discrete
- * minimal surfaces and their conjugates, 1993), by shift-and-invert Lanczos.
+ * minimal surfaces and their conjugates, 1993 \cite pinkall1993minimal), by shift-and-invert Lanczos.
  */
 LaplacianBasis
 laplacianBasis(const CoarseSurface& surface, int count);

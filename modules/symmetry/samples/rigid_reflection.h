@@ -37,9 +37,10 @@ struct RigidReflection {
 
 /** \brief Fits a reflection to matches that may lie off along the surface.
  *
- * First the closest reflection in the sense of least squares (W. Kabsch, 1976, with the determinant -1), then one step
- * of the alignment of points to planes (Y. Chen, G. Medioni, 1992), which lets places slide along the surface to where
- * its shape fits.
+ * First the closest reflection in the sense of least squares (W. Kabsch, 1976 \cite kabsch1976rotation, with the
+ * determinant -1), then one step of the alignment of points to planes (Y. Chen, G. Medioni, 1992
+ * \cite chen1992modelling), which lets places slide along the surface to where its shape fits.
+ *
  * \param[in] matches positive weights; empty gives the reflection in the origin
  * \param[in] normal_reach length that a unit difference of normals counts as in the first fit
  */

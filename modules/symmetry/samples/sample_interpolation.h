@@ -27,8 +27,8 @@ struct SampleInterpolation {
   at(std::size_t v, const std::vector<float>& values) const;
 };
 
-/** \brief Moving least squares (P. Lancaster, K. Salkauskas, 1981) over the sample that owns a point and those adjacent
- * to it.
+/** \brief Moving least squares (P. Lancaster, K. Salkauskas, 1981 \cite lancaster1981surfaces) over the sample that
+ * owns a point and those adjacent to it.
  *
  * The fit is linear in the tangent plane and damped towards the weighted mean, which is what remains where the samples
  * do not span the plane (on a finger or a tail a cell wide). Cost O(n).

@@ -2,7 +2,9 @@
  * \brief Symmetric maps as matrices on the eigenfunctions of the Laplacian, and their refinement upwards.
  *
  * M. Ovsjanikov et al.: Functional maps, a flexible representation of maps between shapes. ACM TOG 31(4), 2012.
+ * \cite ovsjanikov2012functional
  * S. Melzi et al.: ZoomOut, spectral upsampling for efficient shape correspondence. ACM TOG 38(6), 2019.
+ * \cite melzi2019zoomout
  */
 #pragma once
 

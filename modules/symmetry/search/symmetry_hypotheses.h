@@ -22,7 +22,7 @@ struct SymmetryHypothesis {
 };
 
 /** \brief All diagonal matrices of +-1 but the identity: where no eigenvalue is repeated, an isometric involution is
- * one of them. 2^d - 1 guesses. */
+ * one of them \cite ovsjanikov2008symmetries. 2^d - 1 guesses. */
 std::vector<SymmetryHypothesis>
 signPatternHypotheses(int dimensions);
 

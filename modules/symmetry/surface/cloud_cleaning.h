@@ -29,8 +29,9 @@ dropFarParts(const std::vector<Vector3>& input,
              const NeighbourSearch& search,
              PreparedSurface& surface);
 
-/** \brief Statistical outlier removal (R. Rusu et al., 2008): drops the points whose mean distance to their neighbours
- * exceeds the mean of the cloud by more than SymmetryParameters::outlier_deviations standard deviations. */
+/** \brief Statistical outlier removal (R. Rusu et al., 2008 \cite rusu2008cloud): drops the points whose mean distance
+ * to their neighbours exceeds the mean of the cloud by more than SymmetryParameters::outlier_deviations standard
+ * deviations. */
 void
 dropStatisticalOutliers(PreparedSurface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search);
 
