@@ -1,13 +1,8 @@
 #include "apps/run_program.h"
 
-#include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <fcntl.h>
-#include <fstream>
-#include <iterator>
 #include <spawn.h>
-#include <stdexcept>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
@@ -74,29 +69,6 @@ runProgram(const std::string& name, const std::vector<std::string>& arguments)
     if (errno != EINTR)
       throw std::system_error(errno, std::generic_category(), "waitpid");
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readBytes(output), readBytes(errors)};
-}
-
-std::string
-readBytes(const std::filesystem::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw std::runtime_error("cannot open " + path.string());
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-ScratchFolder::ScratchFolder()
-{
-  std::string pattern = (std::filesystem::temp_directory_path() / "pcl_symmetry.XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr)
-    throw std::system_error(errno, std::generic_category(), pattern);
-  path_ = pattern;
-}
-
-ScratchFolder::~ScratchFolder()
-{
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
 }
 
 } // namespace test

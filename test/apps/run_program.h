@@ -3,7 +3,8 @@
  */
 #pragma once
 
-#include <filesystem>
+#include "support/temporary_folder.h"
+
 #include <string>
 #include <vector>
 
@@ -21,39 +22,6 @@ struct ProgramRun {
  * \throws std::system_error it cannot be started */
 ProgramRun
 runProgram(const std::string& name, const std::vector<std::string>& arguments);
-
-/** \brief Bytes of a file.
- * \throws std::runtime_error cannot be opened */
-std::string
-readBytes(const std::filesystem::path& path);
-
-/** \brief A fresh folder for one test, removed with everything in it at the end. */
-class ScratchFolder {
-public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder&
-  operator=(const ScratchFolder&) = delete;
-  ScratchFolder(ScratchFolder&&) = delete;
-  ScratchFolder&
-  operator=(ScratchFolder&&) = delete;
-
-  std::string
-  file(const std::string& name) const
-  {
-    return (path_ / name).string();
-  }
-
-  const std::filesystem::path&
-  path() const
-  {
-    return path_;
-  }
-
-private:
-  std::filesystem::path path_;
-};
 
 } // namespace test
 } // namespace symmetry

@@ -1,5 +1,5 @@
 #include "benchmark/data_set.h"
-#include "benchmark/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/exceptions.h>
 

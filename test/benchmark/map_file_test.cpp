@@ -1,5 +1,5 @@
 #include "benchmark/map_file.h"
-#include "benchmark/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/exceptions.h>
 

@@ -1,6 +1,6 @@
 #include "benchmark/metrics.h"
-#include "benchmark/temporary_folder.h"
 #include "support/shapes.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/exceptions.h>
 

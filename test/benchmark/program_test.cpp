@@ -1,8 +1,8 @@
 // What pcl_symmetry_benchmark promises its users: exit status, tables, files, messages.
 #include "apps/run_program.h"
-#include "benchmark/temporary_folder.h"
 #include "model/articulated_body.h"
 #include "model/write_model.h"
+#include "support/temporary_folder.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 #include "benchmark/report_files.h"
 #include "benchmark/report_table.h"
 #include "benchmark/runs.h"
-#include "benchmark/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 #include <nlohmann/json.hpp>
 #include <pcl/exceptions.h>

@@ -1,8 +1,8 @@
 #include "benchmark/run.h"
-#include "benchmark/temporary_folder.h"
 #include "model/articulated_body.h"
 #include "model/write_model.h"
 #include "support/shapes.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>
 

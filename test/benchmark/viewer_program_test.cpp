@@ -1,6 +1,6 @@
 // What pcl_symmetry_viewer promises where nothing can be shown: exit status and messages.
 #include "apps/run_program.h"
-#include "benchmark/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 #include <cstdlib>
 

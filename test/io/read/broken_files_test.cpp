@@ -1,4 +1,5 @@
-#include "io/temporary_folder.h"
+#include "support/bytes.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>
 
@@ -162,7 +163,7 @@ TEST_F(BrokenFiles, MessageNamesFilePlaceAndReason)
 {
   for (const BrokenFile& broken : broken_files) {
     SCOPED_TRACE(broken.name);
-    const std::string file = writeFile(broken.name, broken.content);
+    const std::string file = write(broken.name, broken.content);
     try {
       readSurface(file);
       ADD_FAILURE() << "was read";
@@ -242,13 +243,13 @@ TEST_F(BrokenFiles, TruncatedAnywhere)
   PointCloud<PointNormal> cloud(3, 2);
   io::savePCDFileBinary(path("a.pcd"), cloud);
   io::savePCDFileBinaryCompressed(path("b.pcd"), cloud);
-  files.emplace_back("binary.pcd", readFile("a.pcd"));
-  files.emplace_back("compressed.pcd", readFile("b.pcd"));
+  files.emplace_back("binary.pcd", read(path("a.pcd")));
+  files.emplace_back("compressed.pcd", read(path("b.pcd")));
   for (const auto& [name, content] : files) {
     SCOPED_TRACE(name);
-    EXPECT_NO_THROW(readSurface(writeFile(name, content)));
+    EXPECT_NO_THROW(readSurface(write(name, content)));
     for (std::size_t size = 0; size < content.size(); ++size)
-      EXPECT_THROW(readSurface(writeFile(name, content.substr(0, size))), IOException) << size << " bytes";
+      EXPECT_THROW(readSurface(write(name, content.substr(0, size))), IOException) << size << " bytes";
   }
 }
 
@@ -257,7 +258,7 @@ TEST_F(BrokenFiles, DamagedAnywhere)
   std::vector<std::pair<std::string, std::string>> files = binaryFiles();
   PointCloud<PointXYZ> cloud(3, 2);
   io::savePCDFileBinaryCompressed(path("c.pcd"), cloud);
-  files.emplace_back("compressed.pcd", readFile("c.pcd"));
+  files.emplace_back("compressed.pcd", read(path("c.pcd")));
   files.emplace_back("text.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   files.emplace_back("text.obj", "v 0 0 0\nv 1 0 0\nvn 0 0 1\nv 0 1 0\nf 1/2/1 2//1 -1\n");
   for (const auto& [name, content] : files) {
@@ -266,7 +267,7 @@ TEST_F(BrokenFiles, DamagedAnywhere)
       for (const char damage : {'\x00', '\x7F', '\xFF', '9', '-', ' ', '\n'}) {
         std::string damaged = content;
         damaged[i] = damage;
-        expectComplaintOrSurface(writeFile(name, damaged));
+        expectComplaintOrSurface(write(name, damaged));
       }
     }
   }

@@ -1,4 +1,4 @@
-#include "io/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>
 
@@ -16,10 +16,10 @@ const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 TEST_F(ReadObj, AllFormsOfCorners)
 {
   const Surface surface =
-      readSurface(writeFile("forms.OBJ", "# made by hand\nmtllib none.mtl\no thing\n" + square +
-                                             "vt 0 0\nvt 1 1\nvn 0 0 1\ng group\ns off\nusemtl red\n"
-                                             "f 1 2 3\nf 1/1 2/2 3/1 # comment\nf 1//1 2//1 3//1\nf 1/1/1 3/2/1 4/1/1\n"
-                                             "f -4 -3 -2 -1\nf 1 2 \\\n 3\nl 1 2\n"));
+      readSurface(write("forms.OBJ", "# made by hand\nmtllib none.mtl\no thing\n" + square +
+                                         "vt 0 0\nvt 1 1\nvn 0 0 1\ng group\ns off\nusemtl red\n"
+                                         "f 1 2 3\nf 1/1 2/2 3/1 # comment\nf 1//1 2//1 3//1\nf 1/1/1 3/2/1 4/1/1\n"
+                                         "f -4 -3 -2 -1\nf 1 2 \\\n 3\nl 1 2\n"));
   EXPECT_EQ(surface.size(), 4U);
   EXPECT_EQ(surface.triangles,
             (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}, {0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {0, 2, 3}, {0, 1, 2}}));
@@ -28,30 +28,30 @@ TEST_F(ReadObj, AllFormsOfCorners)
 
 TEST_F(ReadObj, WeightsAndColoursBehindTheCoordinates)
 {
-  const Surface surface = readSurface(writeFile("colour.obj", "v 1 2 3 1.0\nv 4 5 6 0.1 0.2 0.3\n"));
+  const Surface surface = readSurface(write("colour.obj", "v 1 2 3 1.0\nv 4 5 6 0.1 0.2 0.3\n"));
   EXPECT_EQ(surface.points, (std::vector<Vector3>{{1.0F, 2.0F, 3.0F}, {4.0F, 5.0F, 6.0F}}));
 }
 
 TEST_F(ReadObj, NormalsOneForEachPoint)
 {
   const std::string normals = "vn 0 0 1\nvn 0 1 0\nvn 1 0 0\nvn 0 0 -1\n";
-  const Surface kept = readSurface(writeFile("kept.obj", square + normals + "f 1//1 2//2 3//3\n"));
+  const Surface kept = readSurface(write("kept.obj", square + normals + "f 1//1 2//2 3//3\n"));
   ASSERT_EQ(kept.normals.size(), 4U);
   EXPECT_EQ(kept.normals[1], (Vector3{0.0F, 1.0F, 0.0F}));
-  const Surface crossed = readSurface(writeFile("crossed.obj", square + normals + "f 1//2 2//1 3//3\n"));
+  const Surface crossed = readSurface(write("crossed.obj", square + normals + "f 1//2 2//1 3//3\n"));
   EXPECT_TRUE(crossed.normals.empty());
 }
 
 TEST_F(ReadObj, NegativeNumbersCountFromTheCurrentEnd)
 {
   const Surface surface =
-      readSurface(writeFile("pieces.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 5 5 5\nf -4 -2 -1\n"));
+      readSurface(write("pieces.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 5 5 5\nf -4 -2 -1\n"));
   EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
 }
 
 TEST_F(ReadObj, AFaceMayComeBeforeItsPoints)
 {
-  const Surface surface = readSurface(writeFile("early.obj", "f 1 2 3\n" + square));
+  const Surface surface = readSurface(write("early.obj", "f 1 2 3\n" + square));
   EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 1, 2}}));
 }
 

@@ -1,4 +1,4 @@
-#include "io/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>
 
@@ -17,7 +17,7 @@ TEST_F(ReadOff, CountsOnTheirOwnLineOrTheFirst)
   const std::string faces = "3 0 1 2 255 0 0\n4 0 1 2 3 0.5 0.5 0.5 1\n";
   const std::string counts[] = {"OFF\n4 2 5\n", "OFF\n4 2\n", "OFF 4 2 0\n", "OFF # kind\n# counts\n4 2 0 # edges\n\n"};
   for (const std::string& beginning : counts) {
-    const Surface surface = readSurface(writeFile("a.off", beginning + points + faces));
+    const Surface surface = readSurface(write("a.off", beginning + points + faces));
     EXPECT_EQ(surface.size(), 4U);
     EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}, {0, 2, 3}}));
   }
@@ -26,9 +26,9 @@ TEST_F(ReadOff, CountsOnTheirOwnLineOrTheFirst)
 TEST_F(ReadOff, PointsTooFarFromTheOriginForTheirExtentAreRefused)
 {
   const std::string faces = "3 0 1 2\n";
-  EXPECT_NO_THROW(readSurface(writeFile("near.off", "OFF\n3 1 0\n4000 0 0\n4001 0 0\n4000 1 0\n" + faces)));
+  EXPECT_NO_THROW(readSurface(write("near.off", "OFF\n3 1 0\n4000 0 0\n4001 0 0\n4000 1 0\n" + faces)));
   try {
-    readSurface(writeFile("far.off", "OFF\n3 1 0\n500000 4500000 0\n500001 4500000 0\n500000 4500001 0\n" + faces));
+    readSurface(write("far.off", "OFF\n3 1 0\n500000 4500000 0\n500001 4500000 0\n500000 4500001 0\n" + faces));
     ADD_FAILURE() << "was read with two steps across";
   }
   catch (const std::exception& error) {
@@ -51,7 +51,7 @@ TEST_F(ReadOff, PrefixesOfTheKeyword)
                         {"STCNOFF", "1 2 3 0 0.6 0.8 0.1 0.2 0.3 1 0.5 0.5", true}};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.keyword);
-    const Surface surface = readSurface(writeFile("b.Off", std::string(c.keyword) + "\n1 0 0\n" + c.point + "\n"));
+    const Surface surface = readSurface(write("b.Off", std::string(c.keyword) + "\n1 0 0\n" + c.point + "\n"));
     EXPECT_EQ(surface.points, (std::vector<Vector3>{{1.0F, 2.0F, 3.0F}}));
     const std::vector<Vector3> normals(c.has_normals ? 1 : 0, Vector3{0.0F, 0.6F, 0.8F});
     EXPECT_EQ(surface.normals, normals);

@@ -1,4 +1,5 @@
-#include "io/temporary_folder.h"
+#include "support/bytes.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>
 
@@ -70,24 +71,24 @@ TEST_F(ReadPcd, FieldsOfOtherTypesAndOrder)
   for (int i = 0; i < 2; ++i)
     bytes.add(std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{3}, 0.1 + i, std::int16_t{-7}, std::uint8_t{200});
   const Surface surface =
-      readSurface(writeFile("mixed.pcd", "VERSION .7\nFIELDS _ z x y\nSIZE 1 8 2 1\nTYPE U F I U\nCOUNT 3 1 1 1\n"
-                                         "WIDTH 2\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA binary\n" +
-                                             bytes.str()));
+      readSurface(write("mixed.pcd", "VERSION .7\nFIELDS _ z x y\nSIZE 1 8 2 1\nTYPE U F I U\nCOUNT 3 1 1 1\n"
+                                     "WIDTH 2\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA binary\n" +
+                                         bytes.str()));
   EXPECT_EQ(surface.points, (std::vector<Vector3>{{-7.0F, 200.0F, 0.1F}, {-7.0F, 200.0F, 1.1F}}));
   EXPECT_TRUE(surface.normals.empty());
 }
 
 TEST_F(ReadPcd, HeaderOfOlderWriters)
 {
-  const Surface surface = readSurface(writeFile(
+  const Surface surface = readSurface(write(
       "old.pcd", "VERSION .6\nCOLUMNS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nDATA ascii\n1 2 3\n\n# note\n4 5 6\n"));
   EXPECT_EQ(surface.points, (std::vector<Vector3>{{1.0F, 2.0F, 3.0F}, {4.0F, 5.0F, 6.0F}}));
 }
 
 TEST_F(ReadPcd, DecimalNumbersRoundToTheNearestFloat)
 {
-  const Surface surface = readSurface(writeFile(
-      "exact.pcd", xyz_header + "WIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n0.1 16777217 1.00000017881393432\n"));
+  const Surface surface = readSurface(
+      write("exact.pcd", xyz_header + "WIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n0.1 16777217 1.00000017881393432\n"));
   EXPECT_EQ(surface.points[0], (Vector3{0.1F, 16777216.0F, 1.00000017881393432F}));
 }
 

@@ -1,4 +1,5 @@
-#include "io/temporary_folder.h"
+#include "support/bytes.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>
 
@@ -25,10 +26,10 @@ header(const std::string& format, const std::string& elements)
 
 TEST_F(ReadPly, AsciiMeshWithQuad)
 {
-  const Surface surface = readSurface(
-      writeFile("quad.ply", header("ascii", "element vertex 4\n" + float_vertices +
-                                                "element face 1\nproperty list uchar int vertex_indices\n") +
-                                "0 0 0\n1 0 0\n1 1 0.5\n0 1 -2e-1\n4 0 1 2 3\n"));
+  const Surface surface =
+      readSurface(write("quad.ply", header("ascii", "element vertex 4\n" + float_vertices +
+                                                        "element face 1\nproperty list uchar int vertex_indices\n") +
+                                        "0 0 0\n1 0 0\n1 1 0.5\n0 1 -2e-1\n4 0 1 2 3\n"));
   ASSERT_EQ(surface.size(), 4U);
   EXPECT_EQ(surface.points[2], (Vector3{1.0F, 1.0F, 0.5F}));
   EXPECT_EQ(surface.points[3], (Vector3{0.0F, 1.0F, -0.2F}));
@@ -40,12 +41,12 @@ TEST_F(ReadPly, AnyLetterCaseOfTheEndingAndAnyLineEnd)
 {
   std::string text = header("ascii", "element vertex 1\n" + float_vertices) + "1 2 3";
   for (const char* name : {"UPPER.PLY", "Mixed.Ply"})
-    EXPECT_EQ(readSurface(writeFile(name, text)).points.at(0), (Vector3{1.0F, 2.0F, 3.0F}));
+    EXPECT_EQ(readSurface(write(name, text)).points.at(0), (Vector3{1.0F, 2.0F, 3.0F}));
   for (const char* line_end : {"\r\n", "\r"}) {
     std::string converted;
     for (const char c : text)
       converted += c == '\n' ? line_end : std::string(1, c);
-    EXPECT_EQ(readSurface(writeFile("dos.ply", converted)).points.at(0), (Vector3{1.0F, 2.0F, 3.0F}));
+    EXPECT_EQ(readSurface(write("dos.ply", converted)).points.at(0), (Vector3{1.0F, 2.0F, 3.0F}));
   }
 }
 
@@ -58,7 +59,7 @@ TEST_F(ReadPly, BinaryOfBothByteOrdersWithDoublesAndExtraProperties)
       bytes.add(std::uint8_t{7}, third + i, -2.5, std::int16_t{-3}, 0.0F, 0.6F, 0.8F);
     bytes.add(std::uint16_t{2}, 1.0, 2.0); // an element to pass over
     bytes.add(std::uint8_t{9}, std::uint32_t{3}, std::uint16_t{2}, std::uint16_t{1}, std::uint16_t{0}); // face
-    const Surface surface = readSurface(writeFile(
+    const Surface surface = readSurface(write(
         "data.ply",
         header(big_endian ? "binary_big_endian" : "binary_little_endian",
                "element vertex 3\nproperty uchar quality\nproperty double x\nproperty float64 y\nproperty int16 z\n"
@@ -80,7 +81,7 @@ TEST_F(ReadPly, ListsWithinTheVertices)
 {
   Bytes bytes;
   bytes.add(1.0F, std::uint8_t{2}, 5, 6, 2.0F, 3.0F).add(4.0F, std::uint8_t{0}, 5.0F, 6.0F);
-  const Surface surface = readSurface(writeFile(
+  const Surface surface = readSurface(write(
       "list.ply", header("binary_little_endian", "element vertex 2\nproperty float x\nproperty list uchar int links\n"
                                                  "property float y\nproperty float z\n") +
                       bytes.str()));
@@ -90,18 +91,18 @@ TEST_F(ReadPly, ListsWithinTheVertices)
 TEST_F(ReadPly, TriangleStripsKeepTheirOrientation)
 {
   const Surface surface = readSurface(
-      writeFile("strips.ply", header("ascii", "element vertex 5\n" + float_vertices +
-                                                  "element tristrips 1\nproperty list int int vertex_indices\n") +
-                                  "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n9 0 1 2 3 4 -1 4 3 2\n"));
+      write("strips.ply", header("ascii", "element vertex 5\n" + float_vertices +
+                                              "element tristrips 1\nproperty list int int vertex_indices\n") +
+                              "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n9 0 1 2 3 4 -1 4 3 2\n"));
   EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 2}}));
 }
 
 TEST_F(ReadPly, DegenerateFacesAreLeftOut)
 {
   const Surface surface = readSurface(
-      writeFile("degenerate.ply", header("ascii", "element vertex 3\n" + float_vertices +
-                                                      "element face 5\nproperty list uchar int vertex_indices\n") +
-                                      "0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 1\n0\n3 0 1 2\n4 0 0 1 2\n"));
+      write("degenerate.ply", header("ascii", "element vertex 3\n" + float_vertices +
+                                                  "element face 5\nproperty list uchar int vertex_indices\n") +
+                                  "0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 1\n0\n3 0 1 2\n4 0 0 1 2\n"));
   EXPECT_EQ(surface.size(), 3U);
   EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}}));
 }
@@ -109,7 +110,7 @@ TEST_F(ReadPly, DegenerateFacesAreLeftOut)
 TEST_F(ReadPly, CoordinatesThatAreNoFiniteNumbersAreData)
 {
   const Surface surface = readSurface(
-      writeFile("nan.ply", header("ascii", "element vertex 2\n" + float_vertices) + "NaN -nan inf\n-INF +1 1e999\n"));
+      write("nan.ply", header("ascii", "element vertex 2\n" + float_vertices) + "NaN -nan inf\n-INF +1 1e999\n"));
   EXPECT_TRUE(std::isnan(surface.points[0][0]));
   EXPECT_TRUE(std::isnan(surface.points[0][1]));
   EXPECT_EQ(surface.points[0][2], INFINITY);
@@ -118,8 +119,8 @@ TEST_F(ReadPly, CoordinatesThatAreNoFiniteNumbersAreData)
 
 TEST_F(ReadPly, NumbersTooSmallForAFloatAreZero)
 {
-  const Surface surface = readSurface(
-      writeFile("tiny.ply", header("ascii", "element vertex 1\n" + float_vertices) + "1e-60 -1e-999 1e-42\n"));
+  const Surface surface =
+      readSurface(write("tiny.ply", header("ascii", "element vertex 1\n" + float_vertices) + "1e-60 -1e-999 1e-42\n"));
   EXPECT_EQ(surface.points[0], (Vector3{0.0F, 0.0F, 1e-42F}));
 }
 

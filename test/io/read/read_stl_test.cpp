@@ -1,4 +1,5 @@
-#include "io/temporary_folder.h"
+#include "support/bytes.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>
 
@@ -51,7 +52,7 @@ TEST_F(ReadStl, EqualPositionsBecomeOnePoint)
                                   binaryStl("solid padded", tetrahedron) + std::string(6, '\0'), textStl(tetrahedron)};
   for (const std::string& content : contents) {
     SCOPED_TRACE(content.substr(0, 16));
-    const Surface surface = readSurface(writeFile("tetrahedron.StL", content));
+    const Surface surface = readSurface(write("tetrahedron.StL", content));
     EXPECT_EQ(surface.points, corners);
     EXPECT_EQ(surface.triangles, triangles);
   }
@@ -62,7 +63,7 @@ TEST_F(ReadStl, SeveralSolidsInCapitals)
   std::string text = textStl({tetrahedron[0]}) + textStl({tetrahedron[1]});
   for (char& c : text)
     c = static_cast<char>(std::toupper(c));
-  const Surface surface = readSurface(writeFile("two.stl", text));
+  const Surface surface = readSurface(write("two.stl", text));
   EXPECT_EQ(surface.points, corners);
   EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
 }
@@ -70,7 +71,7 @@ TEST_F(ReadStl, SeveralSolidsInCapitals)
 TEST_F(ReadStl, ADegenerateFacetLeavesItsPoints)
 {
   const Surface surface =
-      readSurface(writeFile("flat.stl", binaryStl("", {{{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}}, tetrahedron[0]})));
+      readSurface(write("flat.stl", binaryStl("", {{{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}}, tetrahedron[0]})));
   EXPECT_EQ(surface.points, (std::vector<Vector3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 2, 1}}));
 }
@@ -82,7 +83,7 @@ TEST_F(ReadStl, ManyPointsKeepTheirNumbers)
     const auto x = static_cast<float>(i);
     facets.push_back({{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}});
   }
-  const Surface surface = readSurface(writeFile("strip.stl", binaryStl("", facets)));
+  const Surface surface = readSurface(write("strip.stl", binaryStl("", facets)));
   ASSERT_EQ(surface.size(), 10001U);
   ASSERT_EQ(surface.triangles.size(), facets.size());
   for (std::size_t i = 0; i < facets.size(); ++i)

@@ -1,6 +1,6 @@
 #include "io/sample_result.h"
-#include "io/temporary_folder.h"
 #include "support/shapes.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>
 
@@ -150,7 +150,7 @@ TEST_F(Picture, IsTheSameEachTime)
   const SymmetryResult result = sphereSymmetry(sphere);
   writePicture(path("one.png"), sphere, result);
   writePicture(path("two.png"), sphere, result);
-  EXPECT_EQ(readFile("one.png"), readFile("two.png"));
+  EXPECT_EQ(read(path("one.png")), read(path("two.png")));
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 #include "io/sample_result.h"
-#include "io/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>
 
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 TEST_F(Report, HoldsWhatWasFound)
 {
   writeReport(path("report.json"), "some file.ply", {}, roofSymmetry());
-  const Json report = Json::parse(readFile("report.json"));
+  const Json report = Json::parse(read(path("report.json")));
   EXPECT_EQ(report.at("status"), "symmetric");
   EXPECT_EQ(report.at("message"), "");
   EXPECT_EQ(report.at("confidence"), 0.9); // not 0.8999999761581421
@@ -47,7 +47,7 @@ TEST_F(Report, StepsAreInOrderAndSumUpToTheTotal)
   SymmetryResult result = roofSymmetry();
   result.seconds = {{"read", 0.1}, {"graph", 0.2}, {"axis", 1e-7}, {"write", 0.3000004}};
   writeReport(path("report.json"), "a.ply", {}, result);
-  const Json seconds = Json::parse(readFile("report.json")).at("seconds");
+  const Json seconds = Json::parse(read(path("report.json"))).at("seconds");
   std::vector<std::string> names;
   double sum = 0.0;
   for (const auto& [name, value] : seconds.items()) {
@@ -69,7 +69,7 @@ TEST_F(Report, NamesAllParameters)
   parameters.radius = 0.1F;
   parameters.threads = 2;
   writeReport(path("report.json"), "a.ply", parameters, roofSymmetry());
-  const Json written = Json::parse(readFile("report.json")).at("parameters");
+  const Json written = Json::parse(read(path("report.json"))).at("parameters");
   const Json expected = {{"method", "staged"}, {"metric", "euclidean"}, {"k_search", 10},
                          {"radius", 0.1},      {"normals", "given"},    {"outlier_deviations", 0.0},
                          {"landmarks", 100},   {"samples", 0},          {"embedding_dimensions", 3},
@@ -84,7 +84,7 @@ TEST_F(Report, ListsAlternativesAndRotationsApartWhereThereAreSeveral)
   result.alternatives = {{{}, -1.5F, 0.9F, true}, {{}, 2.0F, 0.25F, true}};
   result.rotations = {{{}, 1.0F, 0.5F, false}};
   writeReport(path("report.json"), "a.ply", {}, result);
-  const Json report = Json::parse(readFile("report.json"));
+  const Json report = Json::parse(read(path("report.json")));
   ASSERT_EQ(report.at("alternatives").size(), 2U);
   EXPECT_EQ(report["alternatives"][1], Json({{"score", 2.0}, {"confidence", 0.25}, {"reverses_orientation", true}}));
   ASSERT_EQ(report.at("rotations").size(), 1U);
@@ -98,7 +98,7 @@ TEST_F(Report, IsJsonWhateverTheNumbersAndNames)
   result.map.involution = std::numeric_limits<float>::quiet_NaN();
   result.input.used = 7; // more than the points: dropped must not wrap round
   writeReport(path("report.json"), "quote \" and \xFF", {}, result);
-  const Json report = Json::parse(readFile("report.json"));
+  const Json report = Json::parse(read(path("report.json")));
   EXPECT_TRUE(report.at("diameter").is_null());
   EXPECT_TRUE(report.at("map").at("involution").is_null());
   EXPECT_EQ(report.at("input").at("dropped"), 0);

@@ -1,5 +1,6 @@
 #include "io/sample_result.h"
-#include "io/temporary_folder.h"
+#include "support/bytes.h"
+#include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>
 
@@ -119,9 +120,9 @@ TEST_F(Writers, LabelledSurfaceIsReadBackUnchanged)
 TEST_F(Writers, Tables)
 {
   writeMap(path("map.csv"), roofSymmetry());
-  EXPECT_EQ(readFile("map.csv"), "vertex,partner,confidence\n0,4,1\n1,5,0.75\n2,2,0.5\n3,-1,0\n4,0,1\n5,1,0.1\n");
+  EXPECT_EQ(read(path("map.csv")), "vertex,partner,confidence\n0,4,1\n1,5,0.75\n2,2,0.5\n3,-1,0\n4,0,1\n5,1,0.1\n");
   writeCorrespondences(path("matches.csv"), roofSymmetry());
-  EXPECT_EQ(readFile("matches.csv"), "source,target,midpoint,cost\n0,4,2,0.25\n1,5,-1,0\n");
+  EXPECT_EQ(read(path("matches.csv")), "source,target,midpoint,cost\n0,4,2,0.25\n1,5,-1,0\n");
 }
 
 TEST_F(Writers, AxisHasPointsInOrderAndEdges)
@@ -129,7 +130,7 @@ TEST_F(Writers, AxisHasPointsInOrderAndEdges)
   SymmetryResult result = roofSymmetry();
   result.axis = {Polyline{{3, 2, 0, 1}, true}, Polyline{{5, 4}, false}};
   writeAxis(path("axis.ply"), roof(), result);
-  const std::string ply = readFile("axis.ply");
+  const std::string ply = read(path("axis.ply"));
   EXPECT_NE(ply.find("element vertex 6\n"), std::string::npos);
   EXPECT_NE(ply.find("element edge 5\n"), std::string::npos);
   const Bytes edges = Bytes().add(0, 1, 1, 2, 2, 3, 3, 0, 4, 5); // the fourth closes the first curve
@@ -152,7 +153,7 @@ TEST_F(Writers, AnEmptyAxisIsAFileWithoutPoints)
   SymmetryResult result = roofSymmetry();
   result.axis.clear();
   writeAxis(path("axis.ply"), roof(), result);
-  EXPECT_NE(readFile("axis.ply").find("element vertex 0\n"), std::string::npos);
+  EXPECT_NE(read(path("axis.ply")).find("element vertex 0\n"), std::string::npos);
 }
 
 TEST_F(Writers, UnknownEndingsAreRefused)
@@ -196,12 +197,12 @@ TEST_F(Writers, AFailureLeavesTheOldFileAndNothingElse)
 
 TEST_F(Writers, AnOldFileIsReplacedAndALinkFollowed)
 {
-  writeFile("old.csv", "old");
+  write("old.csv", "old");
   std::filesystem::permissions(path("old.csv"), std::filesystem::perms(0640));
   std::filesystem::create_symlink("old.csv", path("link.csv"));
   writeMap(path("link.csv"), roofSymmetry());
   EXPECT_TRUE(std::filesystem::is_symlink(path("link.csv")));
-  EXPECT_EQ(readFile("old.csv").substr(0, 6), "vertex");
+  EXPECT_EQ(read(path("old.csv")).substr(0, 6), "vertex");
   EXPECT_EQ(std::filesystem::status(path("old.csv")).permissions(), std::filesystem::perms(0640));
   EXPECT_EQ(countFiles(), 2U);
 }
@@ -211,7 +212,7 @@ TEST_F(Writers, ALinkToNothingIsFollowedAndALoopRefused)
   std::filesystem::create_symlink("new.csv", path("link.csv"));
   writeMap(path("link.csv"), roofSymmetry());
   EXPECT_TRUE(std::filesystem::is_symlink(path("link.csv")));
-  EXPECT_EQ(readFile("new.csv").substr(0, 6), "vertex");
+  EXPECT_EQ(read(path("new.csv")).substr(0, 6), "vertex");
   std::filesystem::create_symlink("loop.csv", path("loop.csv"));
   EXPECT_THROW(writeMap(path("loop.csv"), roofSymmetry()), IOException);
 }
@@ -220,7 +221,7 @@ TEST_F(Writers, TheLongestNamesWillDo)
 {
   const std::string name = std::string(251, 'a') + ".csv";
   writeMap(path(name), roofSymmetry());
-  EXPECT_EQ(readFile(name).substr(0, 6), "vertex");
+  EXPECT_EQ(read(path(name)).substr(0, 6), "vertex");
 }
 
 } // namespace
