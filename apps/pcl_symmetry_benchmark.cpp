@@ -1,7 +1,6 @@
 /** \file
  * \brief pcl_symmetry_benchmark: runs the estimation on published data sets and prints the field's metrics.
  */
-#include "base/error_text.h"
 #include "benchmark/error_curve_plot.h"
 #include "benchmark/evidence.h"
 #include "benchmark/graph_accuracy.h"
@@ -9,31 +8,26 @@
 #include "benchmark/report_files.h"
 #include "benchmark/report_table.h"
 #include "benchmark/run.h"
-#include "io/write/output_file.h"
+#include "cli/command_line.h"
+#include "cli/output_names.h"
+#include "cli/parameter_options.h"
+#include "cli/program.h"
 
 #include <pcl/symmetry/surface_io.h>
-#include <pcl/symmetry/symmetry.h>
 
-#include <boost/program_options.hpp>
 #include <pcl/exceptions.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 
-namespace po = boost::program_options;
 using namespace pcl::symmetry;
 
 namespace {
 
-constexpr int exit_done = 0;
-constexpr int exit_failed = 1;
-constexpr int exit_usage = 2;
+constexpr const char* program = "pcl_symmetry_benchmark";
 
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+constexpr EnumName<Limb> limb_names[] = {{Limb::Farthest, "farthest"}, {Limb::Other, "other"}};
 
 struct Options {
   std::string folder;
@@ -44,6 +38,9 @@ struct Options {
   std::string evidence;
   RunOptions run;
   unsigned jobs = 1;
+  std::optional<unsigned> threads;
+  unsigned holes = 0;
+  std::int64_t seed = 1;
   std::string map_folder;
   std::string csv;
   std::string json;
@@ -53,147 +50,90 @@ struct Options {
   std::string scored_map; ///< not empty: score this map of score_mesh instead of running anything
   std::string score_mesh;
   std::string score_truth;
+
+  std::vector<std::string>
+  outputs() const
+  {
+    return {csv, json, plot, evidence};
+  }
 };
 
-po::options_description
-describeOptions()
+OptionGroup
+methodOptions(Options& options)
 {
-  po::options_description selection("Models");
-  selection.add_options()("set", po::value<std::vector<std::string>>(), "only this data set (repeatable)")(
-      "class", po::value<std::vector<std::string>>(),
-      "only this class (repeatable)")("all", "also models without ground truth, which are run but not scored");
-  po::options_description method("Method");
-  method.add_options()("method", po::value<std::string>()->default_value("robust"),
-                       "robust or staged")("metric", po::value<std::string>()->default_value("geodesic"),
-                                           "geodesic or euclidean")("as-cloud", "leave the faces out of the input")(
-      "graph", "compare distances in the graph of the cloud with those along the mesh; prints this table only")(
-      "neighbours,k", po::value<int>(), "neighbours of a point in the graph of a cloud")(
-      "landmarks", po::value<int>(),
-      "sources of full distance fields")("samples", po::value<int>(), "evenly spaced samples, 0: the method's default")(
-      "jobs", po::value<int>()->default_value(1), "models at a time, 0: one per core")(
-      "threads", po::value<int>(), "threads of each estimation, 0: one per core (default 0; 1 with several jobs)");
-  po::options_description disturbance("Disturbance (points that are left are scored)");
-  disturbance.add_options()(
-      "cut-limb", po::value<std::string>(),
-      "cut off a limb, farthest (its end from its counterpart's) or other: what is left should be "
-      "refused, and is not scored")("drop", po::value<double>(), "drop this share of the points at random")(
-      "holes", po::value<int>(), "cut this many holes")("hole-share", po::value<double>(),
-                                                        "share of the points in all holes (default 0.2)")(
-      "thin", po::value<double>(), "drop points in a random direction down to 1/this of the density")(
-      "noise", po::value<double>(), "move points, standard deviation over the bounding box's diagonal")(
-      "quantise", po::value<double>(), "round coordinates to multiples of this share of the diagonal")(
-      "repeat", po::value<double>(), "add this share of points that are there already")(
-      "outliers", po::value<double>(), "add this share of points at random places")(
-      "seed", po::value<std::int64_t>(), "of the disturbance, any integer (default 1)");
-  po::options_description output("Output");
-  output.add_options()("csv", po::value<std::string>(), "write one line per model to this file")(
-      "json", po::value<std::string>(), "write all figures to this file")(
-      "evidence", po::value<std::string>(),
-      "write all that is measured on every map of every interpretation to this .csv file, delivered or not, instead of "
-      "the scores: what the confidence is calibrated with")("plot", po::value<std::string>(),
-                                                            "draw the geodesic error curves into this .svg file")(
-      "map-dir", po::value<std::string>(), "write each map as SET_MODEL.csv into this folder")(
-      "verbose", "seconds per step and properties of the map for each model")("help", "print this text")(
-      "version", "print the version");
-  po::options_description score("One existing map (instead of DIR)");
-  score.add_options()("score", po::value<std::string>(), "score this map, lines vertex,partner")(
-      "mesh", po::value<std::string>(), "surface that the map belongs to")(
-      "truth", po::value<std::string>(), "CLASS.pid, MODEL.vts:N.sym.info or a dense list, 1-based");
-  po::options_description visible;
-  return visible.add(selection).add(method).add(disturbance).add(output).add(score);
+  SymmetryParameters& parameters = options.run.parameters;
+  OptionGroup method("Method");
+  method.choice("method", parameters.method, method_names, "robust or staged");
+  method.choice("metric", parameters.metric, metric_names, "geodesic or euclidean");
+  method.flag("as-cloud", options.run.as_cloud, "leave the faces out of the input");
+  method.flag("graph", options.graph,
+              "compare distances in the graph of the cloud with those along the mesh; prints this table only");
+  method.number("neighbours,k", parameters.k_search, "N", "neighbours of a point in the graph of a cloud");
+  method.number("landmarks", parameters.landmarks, "N", "sources of full distance fields");
+  method.number("samples", parameters.samples, "N", "evenly spaced samples, 0: the method's default");
+  method.count("jobs", options.jobs, most_threads, "models at a time, 0: one per core");
+  method.count("threads", options.threads, most_threads,
+               "threads of each estimation, 0: one per core (default 0; 1 with several jobs)");
+  return method;
 }
 
-po::variables_map
-parseArguments(int argc, char** argv, const po::options_description& visible)
+OptionGroup
+disturbanceOptions(Options& options)
 {
-  po::options_description all;
-  all.add(visible).add_options()("folder", po::value<std::string>());
-  po::positional_options_description positional;
-  positional.add("folder", 1);
-  po::variables_map arguments;
-  const auto style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(), arguments);
-  po::notify(arguments);
-  return arguments;
+  Disturbance& disturbance = options.run.disturbance;
+  OptionGroup group("Disturbance (points that are left are scored)");
+  group.choice("cut-limb", options.run.cut_limb, limb_names,
+               "cut off a limb, farthest (its end from its counterpart's) or other: what is left should be "
+               "refused, and is not scored");
+  group.number("drop", disturbance.drop, "F", "drop this share of the points at random", Default::Hidden);
+  group.count("holes", options.holes, 1024, "cut this many holes", Default::Hidden);
+  group.number("hole-share", disturbance.hole_share, "F", "share of the points in all holes");
+  group.number("thin", disturbance.thin, "R", "drop points in a random direction down to 1/R of the density",
+               Default::Hidden);
+  group.number("noise", disturbance.noise, "F", "move points, standard deviation over the bounding box's diagonal",
+               Default::Hidden);
+  group.number("quantise", disturbance.quantise, "F", "round coordinates to multiples of this share of the diagonal",
+               Default::Hidden);
+  group.number("repeat", disturbance.repeat, "F", "add this share of points that are there already", Default::Hidden);
+  group.number("outliers", disturbance.outliers, "F", "add this share of points at random places", Default::Hidden);
+  group.number("seed", options.seed, "S", "of the disturbance, any integer");
+  return group;
 }
 
-template <typename Value>
-void
-take(const po::variables_map& arguments, const char* name, Value& target)
+CommandLine
+describeOptions(Options& options)
 {
-  if (arguments.count(name) > 0)
-    target = arguments[name].as<Value>();
-}
+  OptionGroup selection("Models");
+  selection.words("set", options.sets, "NAME", "only this data set (repeatable)");
+  selection.words("class", options.classes, "NAME", "only this class (repeatable)");
+  selection.flag("all", options.all, "also models without ground truth, which are run but not scored");
 
-/** A count; Boost alone would read "-1" as 4294967295. */
-unsigned
-takeCount(const po::variables_map& arguments, const char* name, unsigned otherwise)
-{
-  if (arguments.count(name) == 0)
-    return otherwise;
-  const int value = arguments[name].as<int>();
-  if (value < 0 || value > 1024)
-    throw UsageError("--" + std::string(name) + " " + std::to_string(value) + " is not in [0, 1024]");
-  return static_cast<unsigned>(value);
-}
+  OptionGroup output("Output");
+  output.file("csv", options.csv, "write one line per model to this file");
+  output.file("json", options.json, "write all figures to this file");
+  output.file("evidence", options.evidence,
+              "write all that is measured on every map of every interpretation to this .csv file, delivered or not, "
+              "instead of the scores: what the confidence is calibrated with");
+  output.file("plot", options.plot, "draw the geodesic error curves into this .svg file");
+  output.folder("map-dir", options.map_folder, "write each map as SET_MODEL.csv into this folder");
+  output.flag("verbose", options.verbose, "seconds per step and properties of the map for each model");
 
-template <typename Value>
-Value
-takeChoice(const po::variables_map& arguments,
-           const char* name,
-           const std::vector<std::pair<std::string, Value>>& choices)
-{
-  const auto text = arguments[name].as<std::string>();
-  std::string names;
-  for (const auto& [choice, value] : choices) {
-    if (choice == text)
-      return value;
-    names += (names.empty() ? "" : " or ") + choice;
-  }
-  throw UsageError("--" + std::string(name) + " is " + names + ", and not '" + text + "'");
-}
+  OptionGroup score("One existing map (instead of DIR)");
+  score.file("score", options.scored_map, "score this map, lines vertex,partner");
+  score.file("mesh", options.score_mesh, "surface that the map belongs to");
+  score.file("truth", options.score_truth, "CLASS.pid, MODEL.vts:N.sym.info or a dense list, 1-based");
 
-SymmetryParameters
-takeParameters(const po::variables_map& arguments, unsigned jobs)
-{
-  SymmetryParameters parameters;
-  parameters.method = takeChoice<Method>(arguments, "method", {{"robust", Method::Robust}, {"staged", Method::Staged}});
-  parameters.metric =
-      takeChoice<Metric>(arguments, "metric", {{"geodesic", Metric::Geodesic}, {"euclidean", Metric::Euclidean}});
-  take(arguments, "neighbours", parameters.k_search);
-  take(arguments, "landmarks", parameters.landmarks);
-  take(arguments, "samples", parameters.samples);
-  parameters.threads = takeCount(arguments, "threads", jobs == 1 ? 0 : 1);
-  return parameters;
-}
-
-Disturbance
-takeDisturbance(const po::variables_map& arguments)
-{
-  Disturbance disturbance;
-  take(arguments, "noise", disturbance.noise);
-  take(arguments, "drop", disturbance.drop);
-  take(arguments, "outliers", disturbance.outliers);
-  disturbance.holes = takeCount(arguments, "holes", 0);
-  take(arguments, "hole-share", disturbance.hole_share);
-  take(arguments, "thin", disturbance.thin);
-  take(arguments, "quantise", disturbance.quantise);
-  take(arguments, "repeat", disturbance.repeat);
-  if (arguments.count("seed") > 0)
-    disturbance.seed = static_cast<std::uint64_t>(arguments["seed"].as<std::int64_t>());
-  return disturbance;
-}
-
-void
-checkRunOptions(const RunOptions& options)
-{
-  try {
-    checkParameters(options.parameters);
-    checkDisturbance(options.disturbance);
-  }
-  catch (const pcl::BadArgumentException& error) {
-    throw UsageError(errorText(error));
-  }
+  CommandLine line(
+      program, "pcl_symmetry_benchmark DIR [options]\n"
+               "       pcl_symmetry_benchmark --score MAP.csv --mesh FILE --truth TRUTH [--json FILE]\n\n"
+               "Finds the symmetry of every model of the data sets in DIR and compares it with the ground truth.\n");
+  line.add(selection);
+  line.add(methodOptions(options));
+  line.add(disturbanceOptions(options));
+  line.add(output);
+  line.add(score);
+  line.addLast(OptionGroup("General"));
+  return line;
 }
 
 void
@@ -204,8 +144,8 @@ checkCombination(const Options& options)
     throw UsageError("--score, --mesh and --truth belong together");
   if (scores_map && (!options.csv.empty() || !options.plot.empty()))
     throw UsageError("--score writes --json only, neither --csv nor --plot");
-  if (scores_map == !options.folder.empty())
-    throw UsageError(scores_map ? "either DIR or --score" : "DIR, a folder with data sets, is missing");
+  if (scores_map && !options.folder.empty())
+    throw UsageError("either DIR or --score");
   if (!options.evidence.empty() && (options.graph || !options.csv.empty() || !options.json.empty() ||
                                     !options.plot.empty() || !options.map_folder.empty()))
     throw UsageError("--evidence writes nothing else: it goes with no other output");
@@ -216,47 +156,18 @@ checkCombination(const Options& options)
     throw UsageError("--graph needs whole models: it does not go with --cut-limb");
 }
 
-Options
-takeOptions(const po::variables_map& arguments)
-{
-  Options options;
-  take(arguments, "folder", options.folder);
-  take(arguments, "set", options.sets);
-  take(arguments, "class", options.classes);
-  options.all = arguments.count("all") > 0;
-  options.jobs = takeCount(arguments, "jobs", 1);
-  options.run.parameters = takeParameters(arguments, options.jobs);
-  options.graph = arguments.count("graph") > 0;
-  options.run.as_cloud = arguments.count("as-cloud") > 0;
-  options.run.disturbance = takeDisturbance(arguments);
-  if (arguments.count("cut-limb") > 0)
-    options.run.cut_limb =
-        takeChoice<Limb>(arguments, "cut-limb", {{"farthest", Limb::Farthest}, {"other", Limb::Other}});
-  checkRunOptions(options.run);
-  take(arguments, "map-dir", options.map_folder);
-  take(arguments, "csv", options.csv);
-  take(arguments, "json", options.json);
-  take(arguments, "plot", options.plot);
-  options.verbose = arguments.count("verbose") > 0;
-  take(arguments, "evidence", options.evidence);
-  take(arguments, "score", options.scored_map);
-  take(arguments, "mesh", options.score_mesh);
-  take(arguments, "truth", options.score_truth);
-  checkCombination(options);
-  return options;
-}
-
-/** Refuses a file that would overwrite another or what is read. */
+/** \brief What follows from several options, or from the words beside them. */
 void
-checkOutputs(const Options& options, std::vector<std::string> taken)
+completeOptions(Options& options, const CommandLine& line)
 {
-  for (const std::string& file : {options.csv, options.json, options.plot, options.evidence}) {
-    if (file.empty())
-      continue;
-    if (std::any_of(taken.begin(), taken.end(), [&file](const std::string& other) { return areOneFile(file, other); }))
-      throw UsageError("'" + file + "' would be overwritten: each file needs a name of its own");
-    taken.push_back(file);
-  }
+  if (options.scored_map.empty() || !line.words().empty())
+    options.folder = line.onlyWord("DIR", "a folder with data sets");
+  options.run.parameters.threads = options.threads.value_or(options.jobs == 1 ? 0 : 1);
+  options.run.disturbance.holes = options.holes;
+  options.run.disturbance.seed = static_cast<std::uint64_t>(options.seed);
+  checkParameterOptions(options.run.parameters);
+  checkUsage<pcl::BadArgumentException>([&options] { checkDisturbance(options.run.disturbance); });
+  checkCombination(options);
 }
 
 bool
@@ -310,7 +221,7 @@ writeReports(const Options& options, const std::vector<ModelRun>& runs)
 int
 scoreExistingMap(const Options& options)
 {
-  checkOutputs(options, {options.scored_map, options.score_mesh, options.score_truth});
+  checkDistinct(options.outputs(), {options.scored_map, options.score_mesh, options.score_truth});
   const Surface mesh = readSurface(options.score_mesh);
   const GroundTruth truth = readGroundTruth(options.score_truth);
   checkGroundTruth(truth, mesh.size(), options.score_truth);
@@ -325,8 +236,7 @@ scoreExistingMap(const Options& options)
 int
 runEvidence(const Options& options)
 {
-  checkOutputs(options, {});
-  checkWritable(options.evidence);
+  checkWritableFiles({options.evidence});
   const std::vector<EvidenceRow> rows = collectEvidence(selectModels(options), options.run, options.jobs, std::cerr);
   writeEvidence(options.evidence, rows);
   std::cout << rows.size() << " maps in " << options.evidence << '\n';
@@ -369,10 +279,8 @@ runDataSets(const Options& options)
     const std::size_t second_file = model.truth.find(".vts:");
     inputs.push_back(model.truth.substr(0, second_file == std::string::npos ? second_file : second_file + 4));
   }
-  checkOutputs(options, inputs);
-  for (const std::string& file : {options.csv, options.json, options.plot})
-    if (!file.empty())
-      checkWritable(file);
+  checkDistinct(options.outputs(), inputs);
+  checkWritableFiles(options.outputs());
   if (!options.map_folder.empty())
     std::filesystem::create_directories(options.map_folder);
   printModelHeader(std::cout);
@@ -392,51 +300,21 @@ runDataSets(const Options& options)
   return std::any_of(runs.begin(), runs.end(), failed) ? exit_failed : exit_done;
 }
 
-int
-run(int argc, char** argv)
-{
-  const po::options_description visible = describeOptions();
-  const po::variables_map arguments = parseArguments(argc, argv, visible);
-  if (arguments.count("help") > 0) {
-    std::cout << "Usage: pcl_symmetry_benchmark DIR [options]\n"
-                 "       pcl_symmetry_benchmark --score MAP.csv --mesh FILE --truth TRUTH [--json FILE]\n\n"
-                 "Finds the symmetry of every model of the data sets in DIR and compares it with the ground truth.\n"
-              << visible;
-    return exit_done;
-  }
-  if (arguments.count("version") > 0) {
-    std::cout << "pcl_symmetry_benchmark " PCL_SYMMETRY_VERSION "\n";
-    return exit_done;
-  }
-  const Options options = takeOptions(arguments);
-  const int status = !options.scored_map.empty() ? scoreExistingMap(options)
-                     : options.graph             ? runGraphs(options)
-                     : !options.evidence.empty() ? runEvidence(options)
-                                                 : runDataSets(options);
-  if (!std::cout.flush())
-    throw pcl::IOException("standard output: cannot be written");
-  return status;
-}
-
 } // namespace
 
 int
 main(int argc, char** argv)
 {
-  std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is an error with a message
-  try {
-    return run(argc, argv);
-  }
-  catch (const po::error& error) {
-    std::cerr << "pcl_symmetry_benchmark: " << error.what() << " (see --help)\n";
-    return exit_usage;
-  }
-  catch (const UsageError& error) {
-    std::cerr << "pcl_symmetry_benchmark: " << error.what() << " (see --help)\n";
-    return exit_usage;
-  }
-  catch (const std::exception& error) {
-    std::cerr << "pcl_symmetry_benchmark: " << errorText(error) << '\n';
-    return exit_failed;
-  }
+  return runProgram(program, [argc, argv] {
+    Options options;
+    CommandLine line = describeOptions(options);
+    if (!line.read(argc, argv))
+      return exit_done;
+    completeOptions(options, line);
+    if (!options.scored_map.empty())
+      return scoreExistingMap(options);
+    if (!options.evidence.empty())
+      return runEvidence(options);
+    return options.graph ? runGraphs(options) : runDataSets(options);
+  });
 }

@@ -1,0 +1,20 @@
+/** \file
+ * \brief The parameters of the estimation as options of a program.
+ */
+#pragma once
+
+#include <pcl/symmetry/symmetry_parameters.h>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Most threads, and most estimations at a time, that a program can be asked for. */
+constexpr unsigned most_threads = 1024;
+
+/** \brief As checkParameters (), in terms of the command line.
+ * \throws UsageError names the option of the parameter that is out of its range */
+void
+checkParameterOptions(const SymmetryParameters& parameters);
+
+} // namespace symmetry
+} // namespace pcl

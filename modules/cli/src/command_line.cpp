@@ -1,0 +1,81 @@
+#include "cli/command_line.h"
+
+#include "cli/program.h"
+
+#include <boost/program_options/parsers.hpp>
+#include <boost/program_options/variables_map.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <utility>
+
+namespace po = boost::program_options;
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+bool
+has(const po::parsed_options& parsed, const char* name)
+{
+  return std::any_of(parsed.options.begin(), parsed.options.end(),
+                     [name](const po::option& option) { return option.string_key == name; });
+}
+
+} // namespace
+
+CommandLine::CommandLine(std::string program, std::string usage, std::string after_options)
+    : program_(std::move(program)), usage_(std::move(usage)), after_options_(std::move(after_options))
+{
+}
+
+void
+CommandLine::add(const OptionGroup& group)
+{
+  options_.add(group.description());
+}
+
+void
+CommandLine::addLast(OptionGroup group)
+{
+  group.flag("help,h", "print this text");
+  group.flag("version", "print the version");
+  add(group);
+}
+
+bool
+CommandLine::read(int argc, const char* const* argv)
+try {
+  const auto style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+  const po::parsed_options parsed = po::command_line_parser(argc, argv).options(options_).style(style).run();
+  if (has(parsed, "help")) {
+    std::cout << "Usage: " << usage_ << options_ << after_options_;
+    return false;
+  }
+  if (has(parsed, "version")) {
+    std::cout << program_ << " " PCL_SYMMETRY_VERSION "\n";
+    return false;
+  }
+  po::variables_map seen;
+  po::store(parsed, seen);
+  words_ = po::collect_unrecognized(parsed.options, po::include_positional);
+  return true;
+}
+catch (const po::error& error) {
+  throw UsageError(error.what());
+}
+
+const std::string&
+CommandLine::onlyWord(const std::string& name, const std::string& kind) const
+{
+  if (words_.empty())
+    throw UsageError(name + ", " + kind + ", is missing");
+  if (words_.size() > 1)
+    throw UsageError("more than one " + name + ": '" + words_[1] + "'");
+  if (words_.front().empty())
+    throw UsageError(name + " has no name");
+  return words_.front();
+}
+
+} // namespace symmetry
+} // namespace pcl
