@@ -27,10 +27,10 @@ colouredBySide(const LabelledSurface& surface)
   const auto cloud = make_shared<PointCloud<PointXYZRGB>>();
   fromPCLPointCloud2(surface.mesh.cloud, *cloud);
   for (std::size_t i = 0; i < surface.labels.size(); ++i) {
-    const Color color = colorOf(static_cast<Side>(surface.labels[i]));
-    (*cloud)[i].r = color[0];
-    (*cloud)[i].g = color[1];
-    (*cloud)[i].b = color[2];
+    const Colour colour = colourOf(static_cast<Side>(surface.labels[i]));
+    (*cloud)[i].r = colour[0];
+    (*cloud)[i].g = colour[1];
+    (*cloud)[i].b = colour[2];
   }
   return cloud;
 }

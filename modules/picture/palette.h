@@ -12,12 +12,12 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief Red, green, blue, 0 to 255. */
-using Color = std::array<std::uint8_t, 3>;
+using Colour = std::array<std::uint8_t, 3>;
 
 /** \brief Colour of a side. Blue and orange differ for every kind of colour vision (Okabe and Ito 2008
  * \cite okabe2008color), and the axis is darker than both. */
-constexpr Color
-colorOf(Side side)
+constexpr Colour
+colourOf(Side side)
 {
   switch (side) {
   case Side::Source:

@@ -22,7 +22,7 @@ struct ScreenPoint {
 /** \brief Corner of a triangle. */
 struct ShadedCorner {
   ScreenPoint place;
-  Color color = {0, 0, 0};
+  Colour colour = {0, 0, 0};
   float brightness = 1.0F; ///< factor of the colour, in [0, 1]
 };
 
@@ -33,8 +33,8 @@ struct Opacity {
 };
 
 /** \brief A colour made darker by a factor in [0, 1]. */
-Color
-shade(const Color& color, float brightness);
+Colour
+shade(const Colour& colour, float brightness);
 
 /** \brief Pixels, row by row from the top, red green blue. */
 struct Image {
@@ -55,12 +55,12 @@ public:
 
   /** \brief Fills a disc that faces the viewer. */
   void
-  fillDisc(const ScreenPoint& centre, float radius, const Color& color);
+  fillDisc(const ScreenPoint& centre, float radius, const Colour& colour);
 
   /** \brief Draws a line with round ends over what is there, as opaque as its depth says; depths stay as they were. */
   void
   blendSegment(
-      const ScreenPoint& begin, const ScreenPoint& end, float radius, const Color& color, const Opacity& opacity);
+      const ScreenPoint& begin, const ScreenPoint& end, float radius, const Colour& colour, const Opacity& opacity);
 
   /** \brief The image, with \a factor x \a factor pixels averaged into one. */
   Image
@@ -74,14 +74,14 @@ private:
   }
 
   void
-  setIfNearer(int x, int y, float depth, const Color& color);
+  setIfNearer(int x, int y, float depth, const Colour& colour);
 
   void
-  blend(int x, int y, float depth, const Color& color, const Opacity& opacity);
+  blend(int x, int y, float depth, const Colour& colour, const Opacity& opacity);
 
   int width_;
   int height_;
-  std::vector<Color> colors_;
+  std::vector<Colour> colours_;
   std::vector<float> depths_;
 };
 

@@ -37,20 +37,17 @@ public:
     return {bytes_.get(), size_};
   }
 
-  /** \brief
-   *
+  /** \brief Complains about the file as a whole.
    * \throws pcl::IOException "file: reason", always */
   [[noreturn]] void
   fail(const std::string& reason) const;
 
-  /** \brief
-   *
+  /** \brief Complains about a line of a text.
    * \throws pcl::IOException "file: line n: reason", always; lines count from 1 */
   [[noreturn]] void
   failAtLine(std::size_t line, const std::string& reason) const;
 
-  /** \brief
-   *
+  /** \brief Complains about a place in binary data.
    * \throws pcl::IOException "file: byte n: reason", always; bytes count from 0 */
   [[noreturn]] void
   failAtByte(std::size_t byte, const std::string& reason) const;

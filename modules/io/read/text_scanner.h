@@ -35,7 +35,6 @@ public:
   nextLine();
 
   /** \brief Goes to the next line that holds a word.
-   *
    * \throws pcl::IOException the text ends instead: "`expected` ..."
    */
   void
@@ -45,35 +44,27 @@ public:
   std::string_view
   word();
 
-  /** \brief What is left of the line, without its end. */
-  std::string_view
-  restOfLine();
-
   /** \brief True where the line holds no further word. */
   bool
   atLineEnd();
 
   /** \brief The next word of the line as a number; nan and inf in any case are numbers, what is too large for a float
    * is infinite.
-   *
    * \throws pcl::IOException there is no further word, or it is no number */
   float
   number();
 
   /** \brief The next word of the line as an integer.
-   *
    * \throws pcl::IOException there is none, or it is no integer */
   std::int64_t
   integer();
 
-  /** \brief
-   *
+  /** \brief Makes sure that the line is read to its end.
    * \throws pcl::IOException the line holds a further word */
   void
   needLineEnd();
 
   /** \brief Goes behind the end of the line.
-   *
    * \throws pcl::IOException the line holds a further word */
   void
   finishLine();
@@ -99,8 +90,7 @@ public:
     return static_cast<std::size_t>(end_ - next_);
   }
 
-  /** \brief
-   *
+  /** \brief Complains about the current line.
    * \throws pcl::IOException naming file and current line, always */
   [[noreturn]] void
   fail(const std::string& reason) const
@@ -127,7 +117,6 @@ private:
 };
 
 /** \brief A word as an integer.
- *
  * \return false where it is none, or has anything behind it, or does not fit */
 bool
 parseInteger(std::string_view word, std::int64_t& value);

@@ -18,7 +18,6 @@ namespace symmetry {
 class OutputFile {
 public:
   /** \brief Creates the temporary file.
-   *
    * \throws pcl::IOException the folder is missing or cannot be written to */
   explicit OutputFile(const std::string& path);
   OutputFile(const OutputFile&) = delete;
@@ -29,14 +28,12 @@ public:
   operator=(OutputFile&&) = delete;
   ~OutputFile();
 
-  /** \brief
-   *
+  /** \brief Appends to what has been written so far.
    * \throws pcl::IOException cannot be written, for instance since the disk is full */
   void
   write(std::string_view bytes);
 
   /** \brief Makes the file appear.
-   *
    * \throws pcl::IOException cannot be written or moved; nothing is left behind then */
   void
   commit();
@@ -52,7 +49,6 @@ private:
 };
 
 /** \brief Throws unless a file can be written there; leaves no trace.
- *
  * \throws pcl::IOException */
 void
 checkOutputFile(const std::string& path);
@@ -62,7 +58,6 @@ bool
 areOneFile(const std::string& a, const std::string& b);
 
 /** \brief Writes \a content as one file, whole or not at all.
- *
  * \throws pcl::IOException */
 void
 writeWholeFile(const std::string& path, std::string_view content);

@@ -11,7 +11,6 @@ namespace symmetry {
 
 /** \brief Checks that each per-point array has one entry per point, and that partners, matches and axis refer to
  * points.
- *
  * \throws pcl::BadArgumentException says which does not
  */
 void

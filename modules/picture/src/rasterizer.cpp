@@ -39,11 +39,11 @@ mix(std::uint8_t below, std::uint8_t above, float opacity)
 
 } // namespace
 
-Color
-shade(const Color& color, float brightness)
+Colour
+shade(const Colour& colour, float brightness)
 {
   const float factor = std::clamp(brightness, 0.0F, 1.0F);
-  Color shaded = color;
+  Colour shaded = colour;
   for (std::uint8_t& channel : shaded)
     channel = static_cast<std::uint8_t>(static_cast<float>(channel) * factor);
   return shaded;
@@ -52,28 +52,28 @@ shade(const Color& color, float brightness)
 Rasterizer::Rasterizer(int width, int height)
     : width_(width),
       height_(height),
-      colors_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), Color{255, 255, 255}),
-      depths_(colors_.size(), -std::numeric_limits<float>::infinity())
+      colours_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), Colour{255, 255, 255}),
+      depths_(colours_.size(), -std::numeric_limits<float>::infinity())
 {
 }
 
 void
-Rasterizer::setIfNearer(int x, int y, float depth, const Color& color)
+Rasterizer::setIfNearer(int x, int y, float depth, const Colour& colour)
 {
   const std::size_t i = pixel(x, y);
   if (depth <= depths_[i])
     return;
   depths_[i] = depth;
-  colors_[i] = color;
+  colours_[i] = colour;
 }
 
 void
-Rasterizer::blend(int x, int y, float depth, const Color& color, const Opacity& opacity)
+Rasterizer::blend(int x, int y, float depth, const Colour& colour, const Opacity& opacity)
 {
   const std::size_t i = pixel(x, y);
   const float share = depth >= depths_[i] ? opacity.in_front : opacity.behind;
   for (std::size_t channel = 0; channel < 3; ++channel)
-    colors_[i][channel] = mix(colors_[i][channel], color[channel], share);
+    colours_[i][channel] = mix(colours_[i][channel], colour[channel], share);
 }
 
 void
@@ -103,13 +103,13 @@ Rasterizer::fillTriangle(const std::array<ShadedCorner, 3>& corners)
         brightness += weights[i] * corners[i].brightness;
       }
       const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-      setIfNearer(x, y, depth, shade(corners[static_cast<std::size_t>(nearest)].color, brightness));
+      setIfNearer(x, y, depth, shade(corners[static_cast<std::size_t>(nearest)].colour, brightness));
     }
   }
 }
 
 void
-Rasterizer::fillDisc(const ScreenPoint& centre, float radius, const Color& color)
+Rasterizer::fillDisc(const ScreenPoint& centre, float radius, const Colour& colour)
 {
   const PixelRange columns(centre.x - radius, centre.x + radius, width_);
   const PixelRange rows(centre.y - radius, centre.y + radius, height_);
@@ -118,14 +118,14 @@ Rasterizer::fillDisc(const ScreenPoint& centre, float radius, const Color& color
       const float dx = static_cast<float>(x) + 0.5F - centre.x;
       const float dy = static_cast<float>(y) + 0.5F - centre.y;
       if (dx * dx + dy * dy <= radius * radius)
-        setIfNearer(x, y, centre.depth, color);
+        setIfNearer(x, y, centre.depth, colour);
     }
   }
 }
 
 void
 Rasterizer::blendSegment(
-    const ScreenPoint& begin, const ScreenPoint& end, float radius, const Color& color, const Opacity& opacity)
+    const ScreenPoint& begin, const ScreenPoint& end, float radius, const Colour& colour, const Opacity& opacity)
 {
   const float dx = end.x - begin.x;
   const float dy = end.y - begin.y;
@@ -149,7 +149,7 @@ Rasterizer::blendSegment(
       const float off_x = static_cast<float>(x) + 0.5F - (begin.x + t * dx);
       const float off_y = centre_y - (begin.y + t * dy);
       if (off_x * off_x + off_y * off_y <= radius * radius)
-        blend(x, y, begin.depth + t * (end.depth - begin.depth), color, opacity);
+        blend(x, y, begin.depth + t * (end.depth - begin.depth), colour, opacity);
     }
   }
 }
@@ -166,7 +166,7 @@ Rasterizer::reduce(int factor) const
       std::array<int, 3> sum = {0, 0, 0};
       for (int i = 0; i < factor * factor; ++i)
         for (std::size_t channel = 0; channel < 3; ++channel)
-          sum[channel] += colors_[pixel(x * factor + i % factor, y * factor + i / factor)][channel];
+          sum[channel] += colours_[pixel(x * factor + i % factor, y * factor + i / factor)][channel];
       for (const int value : sum)
         image.pixels.push_back(static_cast<std::uint8_t>((value + factor * factor / 2) / (factor * factor)));
     }

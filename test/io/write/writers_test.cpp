@@ -67,11 +67,11 @@ TEST_F(Writers, LabelledPcdLoadsIntoPclPointTypes)
   PointCloud<PointXYZL> labels;
   ASSERT_EQ(io::loadPCDFile(path("labelled.pcd"), labels), 0);
   expectLabels(labels);
-  PointCloud<PointXYZRGBL> colors;
-  ASSERT_EQ(io::loadPCDFile(path("labelled.pcd"), colors), 0);
-  expectLabels(colors);
-  EXPECT_GT(colors[0].b, colors[0].r); // source: blue
-  EXPECT_GT(colors[4].r, colors[4].b); // target: orange
+  PointCloud<PointXYZRGBL> colours;
+  ASSERT_EQ(io::loadPCDFile(path("labelled.pcd"), colours), 0);
+  expectLabels(colours);
+  EXPECT_GT(colours[0].b, colours[0].r); // source: blue
+  EXPECT_GT(colours[4].r, colours[4].b); // target: orange
   PCLPointCloud2 all;
   ASSERT_EQ(io::loadPCDFile(path("labelled.pcd"), all), 0);
   expectFields(all);
@@ -84,11 +84,11 @@ TEST_F(Writers, LabelledPlyLoadsIntoPclPointTypes)
   PointCloud<PointXYZL> labels;
   ASSERT_EQ(io::loadPLYFile(path("labelled.ply"), labels), 0);
   expectLabels(labels);
-  PointCloud<PointXYZRGBL> colors;
-  ASSERT_EQ(io::loadPLYFile(path("labelled.ply"), colors), 0);
-  expectLabels(colors);
-  EXPECT_GT(colors[0].b, colors[0].r);
-  EXPECT_GT(colors[4].r, colors[4].b);
+  PointCloud<PointXYZRGBL> colours;
+  ASSERT_EQ(io::loadPLYFile(path("labelled.ply"), colours), 0);
+  expectLabels(colours);
+  EXPECT_GT(colours[0].b, colours[0].r);
+  EXPECT_GT(colours[4].r, colours[4].b);
   PCLPointCloud2 all;
   ASSERT_EQ(io::loadPLYFile(path("labelled.ply"), all), 0);
   expectFields(all);

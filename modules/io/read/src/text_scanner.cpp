@@ -126,16 +126,6 @@ TextScanner::word()
   return {begin, static_cast<std::size_t>(next_ - begin)};
 }
 
-std::string_view
-TextScanner::restOfLine()
-{
-  skipBlanks();
-  const char* const begin = next_;
-  while (next_ != end_ && !isLineEnd(*next_))
-    ++next_;
-  return {begin, static_cast<std::size_t>(next_ - begin)};
-}
-
 float
 TextScanner::number()
 {

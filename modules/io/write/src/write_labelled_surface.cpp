@@ -48,7 +48,7 @@ toPly(const Surface& surface, const SymmetryResult& result)
     appendBytes(bytes, surface.points[i]);
     if (!surface.normals.empty())
       appendBytes(bytes, surface.normals[i]);
-    appendBytes(bytes, colorOf(result.sides[i]));
+    appendBytes(bytes, colourOf(result.sides[i]));
     appendLabels(bytes, result, i);
   }
   for (const Triangle& triangle : surface.triangles) {
@@ -60,9 +60,9 @@ toPly(const Surface& surface, const SymmetryResult& result)
 
 /** \brief A colour as PCL keeps it in the field rgb: the bytes of a float. */
 std::uint32_t
-packColor(const Color& color)
+packColour(const Colour& colour)
 {
-  return 0xFF000000U | std::uint32_t{color[0]} << 16 | std::uint32_t{color[1]} << 8 | std::uint32_t{color[2]};
+  return 0xFF000000U | std::uint32_t{colour[0]} << 16 | std::uint32_t{colour[1]} << 8 | std::uint32_t{colour[2]};
 }
 
 std::string
@@ -82,7 +82,7 @@ toPcd(const Surface& surface, const SymmetryResult& result)
     appendBytes(bytes, surface.points[i]);
     if (has_normals)
       appendBytes(bytes, surface.normals[i]);
-    appendBytes(bytes, packColor(colorOf(result.sides[i])));
+    appendBytes(bytes, packColour(colourOf(result.sides[i])));
     appendLabels(bytes, result, i);
   }
   return bytes;

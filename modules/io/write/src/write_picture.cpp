@@ -24,7 +24,7 @@ constexpr std::size_t partner_lines = 40;
 constexpr float line_radius = 0.8F; ///< in pixels of the finished picture, as the next two
 constexpr float dot_radius = 3.0F;
 constexpr float axis_radius = 2.2F;
-constexpr Color line_color = {40, 40, 48};
+constexpr Colour line_colour = {40, 40, 48};
 
 /** \brief A view with the size of its image. */
 class Projection {
@@ -76,7 +76,7 @@ struct Drawing {
   const Surface& surface;
   const SymmetryResult& result;
   std::vector<Vector3> normals; ///< per point
-  std::vector<Color> colors;    ///< per point, unshaded
+  std::vector<Colour> colours;  ///< per point, unshaded
   std::vector<float> spacings;  ///< per point of a cloud
   std::vector<PartnerPair> lines;
 };
@@ -97,21 +97,21 @@ meshNormals(const Surface& surface)
 }
 
 /** \brief Side colours, paler where the confidence is low. */
-std::vector<Color>
-pointColors(const SymmetryResult& result)
+std::vector<Colour>
+pointColours(const SymmetryResult& result)
 {
   constexpr float pale = 225.0F;
-  std::vector<Color> colors;
-  colors.reserve(result.sides.size());
+  std::vector<Colour> colours;
+  colours.reserve(result.sides.size());
   for (std::size_t i = 0; i < result.sides.size(); ++i) {
-    Color color = colorOf(result.sides[i] == Side::Axis ? Side::None : result.sides[i]);
+    Colour colour = colourOf(result.sides[i] == Side::Axis ? Side::None : result.sides[i]);
     const float share =
         result.sides[i] == Side::None ? 1.0F : 0.35F + 0.65F * std::clamp(result.confidences[i], 0.0F, 1.0F);
-    for (std::uint8_t& channel : color)
+    for (std::uint8_t& channel : colour)
       channel = static_cast<std::uint8_t>(std::lround(pale + share * (static_cast<float>(channel) - pale)));
-    colors.push_back(color);
+    colours.push_back(colour);
   }
-  return colors;
+  return colours;
 }
 
 /** \brief Evenly spread pairs of decent confidence, by farthest-point sampling of their sources. */
@@ -144,7 +144,7 @@ drawMesh(const Drawing& drawing, const Projection& projection, Rasterizer& canva
   const Surface& surface = drawing.surface;
   std::vector<ShadedCorner> corners(surface.size());
   for (std::size_t i = 0; i < surface.size(); ++i)
-    corners[i] = {projection.project(surface.points[i]), drawing.colors[i], projection.brightness(drawing.normals[i])};
+    corners[i] = {projection.project(surface.points[i]), drawing.colours[i], projection.brightness(drawing.normals[i])};
   for (const Triangle& triangle : surface.triangles) {
     const auto point = [&](std::size_t corner) {
       return static_cast<std::size_t>(triangle[corner]);
@@ -164,8 +164,8 @@ drawCloud(const Drawing& drawing, const Projection& projection, Rasterizer& canv
     if (!isFinite(drawing.surface.points[i]))
       continue;
     const float radius = std::clamp(drawing.spacings[i] * projection.scale(), smallest, largest);
-    const Color color = shade(drawing.colors[i], projection.brightness(drawing.normals[i]));
-    canvas.fillDisc(projection.project(drawing.surface.points[i]), radius, color);
+    const Colour colour = shade(drawing.colours[i], projection.brightness(drawing.normals[i]));
+    canvas.fillDisc(projection.project(drawing.surface.points[i]), radius, colour);
   }
 }
 
@@ -183,7 +183,7 @@ drawAxis(const Drawing& drawing, const Projection& projection, float lift, Raste
     const std::size_t segments = line.closed ? count : std::max<std::size_t>(count, 1) - 1;
     for (std::size_t i = 0; i < segments; ++i)
       canvas.blendSegment(place(line.points[i]), place(line.points[(i + 1) % count]), axis_radius * supersampling,
-                          colorOf(Side::Axis), opacity);
+                          colourOf(Side::Axis), opacity);
   }
 }
 
@@ -197,9 +197,9 @@ drawPartnerLines(const Drawing& drawing, const Projection& projection, float lif
     ScreenPoint target = projection.project(drawing.surface.points[static_cast<std::size_t>(line.target)]);
     source.depth += lift;
     target.depth += lift;
-    canvas.blendSegment(source, target, line_radius * supersampling, line_color, line_opacity);
-    canvas.blendSegment(source, source, dot_radius * supersampling, line_color, dot_opacity);
-    canvas.blendSegment(target, target, dot_radius * supersampling, line_color, dot_opacity);
+    canvas.blendSegment(source, target, line_radius * supersampling, line_colour, line_opacity);
+    canvas.blendSegment(source, source, dot_radius * supersampling, line_colour, dot_opacity);
+    canvas.blendSegment(target, target, dot_radius * supersampling, line_colour, dot_opacity);
   }
 }
 
@@ -245,7 +245,7 @@ writePicture(const std::string& path, const Surface& surface, const SymmetryResu
   const std::vector<PartnerPair> pairs = findPartnerPairs(surface, result);
   const PictureView view = chooseView(surface, result, pairs);
 
-  Drawing drawing = {surface, result, surface.normals, pointColors(result), {}, chooseLines(surface, result, pairs)};
+  Drawing drawing = {surface, result, surface.normals, pointColours(result), {}, chooseLines(surface, result, pairs)};
   if (surface.hasFaces()) {
     drawing.normals = meshNormals(surface);
   }
