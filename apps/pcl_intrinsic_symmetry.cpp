@@ -5,7 +5,6 @@
 #include "cli/command_line.h"
 #include "cli/output_names.h"
 #include "cli/parameter_options.h"
-#include "cli/program.h"
 #include "cli/progress_line.h"
 #include "cli/stopwatch.h"
 
@@ -207,18 +206,18 @@ run(const Options& options)
   return result.status == SymmetryStatus::Symmetric ? exit_done : exit_no_symmetry;
 }
 
+int
+runWith(Options& options, const CommandLine& line)
+{
+  options.input = line.onlyWord("INPUT", "a file");
+  checkOptions(options);
+  return run(options);
+}
+
 } // namespace
 
 int
 main(int argc, char** argv)
 {
-  return runProgram(program, [argc, argv] {
-    Options options;
-    CommandLine line = describeOptions(options);
-    if (!line.read(argc, argv))
-      return exit_done;
-    options.input = line.onlyWord("INPUT", "a file");
-    checkOptions(options);
-    return run(options);
-  });
+  return runCommand(program, argc, argv, describeOptions, runWith);
 }

@@ -11,7 +11,6 @@
 #include "cli/command_line.h"
 #include "cli/output_names.h"
 #include "cli/parameter_options.h"
-#include "cli/program.h"
 
 #include <pcl/symmetry/surface_io.h>
 
@@ -300,21 +299,21 @@ runDataSets(const Options& options)
   return std::any_of(runs.begin(), runs.end(), failed) ? exit_failed : exit_done;
 }
 
+int
+runWith(Options& options, const CommandLine& line)
+{
+  completeOptions(options, line);
+  if (!options.scored_map.empty())
+    return scoreExistingMap(options);
+  if (!options.evidence.empty())
+    return runEvidence(options);
+  return options.graph ? runGraphs(options) : runDataSets(options);
+}
+
 } // namespace
 
 int
 main(int argc, char** argv)
 {
-  return runProgram(program, [argc, argv] {
-    Options options;
-    CommandLine line = describeOptions(options);
-    if (!line.read(argc, argv))
-      return exit_done;
-    completeOptions(options, line);
-    if (!options.scored_map.empty())
-      return scoreExistingMap(options);
-    if (!options.evidence.empty())
-      return runEvidence(options);
-    return options.graph ? runGraphs(options) : runDataSets(options);
-  });
+  return runCommand(program, argc, argv, describeOptions, runWith);
 }

@@ -3,7 +3,6 @@
  */
 #include "cli/command_line.h"
 #include "cli/output_names.h"
-#include "cli/program.h"
 #include "model/articulated_body.h"
 #include "model/disturb.h"
 #include "model/write_model.h"
@@ -154,21 +153,21 @@ checkOptions(Options& options)
   disturb(nothing, options);
 }
 
+int
+runWith(Options& options, const CommandLine& line)
+{
+  options.output = line.onlyWord("OUTPUT", "a file");
+  checkUsage<std::invalid_argument>([&options] {
+    checkOptions(options);
+    run(options);
+  });
+  return exit_done;
+}
+
 } // namespace
 
 int
 main(int argc, char** argv)
 {
-  return runProgram(program, [argc, argv] {
-    Options options;
-    CommandLine line = describeOptions(options);
-    if (!line.read(argc, argv))
-      return exit_done;
-    options.output = line.onlyWord("OUTPUT", "a file");
-    checkUsage<std::invalid_argument>([&options] {
-      checkOptions(options);
-      run(options);
-    });
-    return exit_done;
-  });
+  return runCommand(program, argc, argv, describeOptions, runWith);
 }

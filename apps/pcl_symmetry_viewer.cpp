@@ -3,7 +3,6 @@
  */
 #include "cli/command_line.h"
 #include "cli/output_names.h"
-#include "cli/program.h"
 #include "surface_window.h"
 
 #include <cstdlib>
@@ -54,18 +53,18 @@ show(const Options& options)
   return exit_done;
 }
 
+int
+runWith(Options& options, const CommandLine& line)
+{
+  options.file = line.onlyWord("FILE", "a labelled surface");
+  checkEnding("screenshot", options.screenshot, {".png"});
+  return show(options);
+}
+
 } // namespace
 
 int
 main(int argc, char** argv)
 {
-  return runProgram(program, [argc, argv] {
-    Options options;
-    CommandLine line = describeOptions(options);
-    if (!line.read(argc, argv))
-      return exit_done;
-    options.file = line.onlyWord("FILE", "a labelled surface");
-    checkEnding("screenshot", options.screenshot, {".png"});
-    return show(options);
-  });
+  return runCommand(program, argc, argv, describeOptions, runWith);
 }

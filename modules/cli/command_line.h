@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cli/option_group.h"
+#include "cli/program.h"
 
 #include <string>
 #include <vector>
@@ -58,6 +59,25 @@ private:
   boost::program_options::options_description options_;
   std::vector<std::string> words_;
 };
+
+/** \brief A whole program, which is what remains of main: describes the options, reads them, and runs.
+ * \param[in] describe makes the command line, whose options write to the options given
+ * \param[in] run returns the exit status
+ * \return the exit status, see runProgram () */
+template <typename Options>
+int
+runCommand(const char* program,
+           int argc,
+           const char* const* argv,
+           CommandLine (*describe)(Options& options),
+           int (*run)(Options& options, const CommandLine& line))
+{
+  return runProgram(program, [=] {
+    Options options;
+    CommandLine line = describe(options);
+    return line.read(argc, argv) ? run(options, line) : exit_done;
+  });
+}
 
 } // namespace symmetry
 } // namespace pcl

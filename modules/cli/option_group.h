@@ -4,6 +4,7 @@
 #pragma once
 
 #include "estimation/enum_names.h"
+#include "io/write/record_writer.h"
 
 #include <boost/program_options/options_description.hpp>
 
@@ -169,8 +170,9 @@ private:
   static std::string
   shown(Number value, Default known)
   {
-    char buffer[64];
-    return shown(std::string(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr), known);
+    std::string text;
+    appendNumber(text, value);
+    return shown(text, known);
   }
 
   template <typename Number>
