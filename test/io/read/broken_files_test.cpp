@@ -1,3 +1,4 @@
+// What the functions of readers.h refuse, all reached through readSurface (); what they read: read_*_test.cpp.
 #include "support/bytes.h"
 #include "support/temporary_folder.h"
 
