@@ -21,13 +21,6 @@ namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
-const Model&
-human()
-{
-  static const Model model = body(Body::Human, 0.3);
-  return model;
-}
-
 template <typename PointT>
 pcl::IntrinsicSymmetryResult
 compute(const pcl::shared_ptr<pcl::PointCloud<PointT>>& cloud, const SymmetryParameters& parameters = {})
@@ -43,8 +36,8 @@ compute(const pcl::shared_ptr<pcl::PointCloud<PointT>>& cloud, const SymmetryPar
 TEST(CloudInput, ReplacesAMesh)
 {
   pcl::IntrinsicSymmetryEstimation<pcl::PointXYZ> estimation;
-  estimation.setInputMesh(meshOf(human().surface));
-  const auto cloud = cloudOf(human().surface.points);
+  estimation.setInputMesh(meshOf(bentHuman().surface));
+  const auto cloud = cloudOf(bentHuman().surface.points);
   estimation.setInputCloud(cloud);
   pcl::IntrinsicSymmetryResult result;
   estimation.compute(result);
@@ -60,7 +53,7 @@ TEST(CloudInput, MayBeOrganisedWithHoles)
   const auto add_hole = [&] {
     cloud->push_back({not_a_number, not_a_number, not_a_number});
   };
-  for (const Vector3& p : human().surface.points) {
+  for (const Vector3& p : bentHuman().surface.points) {
     if (cloud->size() % 7 == 3) {
       add_hole();
     }
@@ -74,7 +67,7 @@ TEST(CloudInput, MayBeOrganisedWithHoles)
   cloud->width = 64;
   cloud->is_dense = true;
   const pcl::IntrinsicSymmetryResult result = compute(cloud);
-  const pcl::IntrinsicSymmetryResult without_holes = compute(cloudOf(human().surface.points));
+  const pcl::IntrinsicSymmetryResult without_holes = compute(cloudOf(bentHuman().surface.points));
   ASSERT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
   EXPECT_EQ(result.input.non_finite, cloud->size() - position.size());
   for (std::size_t v = 0; v < position.size(); ++v) {
@@ -84,7 +77,7 @@ TEST(CloudInput, MayBeOrganisedWithHoles)
 
 TEST(CloudInput, AnotherExactSearchGivesTheSameMap)
 {
-  const auto cloud = cloudOf(human().surface.points);
+  const auto cloud = cloudOf(bentHuman().surface.points);
   pcl::IntrinsicSymmetryEstimation<pcl::PointXYZ> estimation;
   estimation.setInputCloud(cloud);
   const auto search = pcl::make_shared<pcl::search::BruteForce<pcl::PointXYZ>>(true);
@@ -99,10 +92,10 @@ TEST(CloudInput, AnotherExactSearchGivesTheSameMap)
 pcl::PointCloud<pcl::PointNormal>::Ptr
 humanWithNormals()
 {
-  const auto cloud = cloudOf<pcl::PointNormal>(human().surface.points);
-  for (const Triangle& t : human().surface.triangles) {
-    const Vector3& p = human().surface.points[t[0]];
-    const Vector3 normal = cross(human().surface.points[t[1]] - p, human().surface.points[t[2]] - p);
+  const auto cloud = cloudOf<pcl::PointNormal>(bentHuman().surface.points);
+  for (const Triangle& t : bentHuman().surface.triangles) {
+    const Vector3& p = bentHuman().surface.points[t[0]];
+    const Vector3 normal = cross(bentHuman().surface.points[t[1]] - p, bentHuman().surface.points[t[2]] - p);
     for (const Index v : t) {
       (*cloud)[v].getNormalVector3fMap() += Eigen::Vector3f(normal[0], normal[1], normal[2]);
     }
@@ -119,7 +112,7 @@ TEST(CloudInput, NormalsOfThePointsAreUsedWhenAskedFor)
   parameters.normals = NormalSource::Given;
   const pcl::IntrinsicSymmetryResult result = compute(humanWithNormals(), parameters);
   ASSERT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
-  EXPECT_GE(correspondenceRate(mapErrors(human(), result.partners)), 0.95);
+  EXPECT_GE(correspondenceRate(mapErrors(bentHuman(), result.partners)), 0.95);
 }
 
 TEST(CloudInput, GivenNormalsNeedNoUnitLength)
@@ -133,7 +126,7 @@ TEST(CloudInput, GivenNormalsNeedNoUnitLength)
   }
   const pcl::IntrinsicSymmetryResult scaled = compute(cloud, parameters);
   EXPECT_NEAR(scaled.confidence, result.confidence, 0.02F); // but for rounding
-  EXPECT_GE(correspondenceRate(mapErrors(human(), scaled.partners)), 0.95);
+  EXPECT_GE(correspondenceRate(mapErrors(bentHuman(), scaled.partners)), 0.95);
 }
 
 TEST(CloudInput, PointsWithoutANormalAreNoObstacle)
@@ -148,20 +141,20 @@ TEST(CloudInput, PointsWithoutANormalAreNoObstacle)
   ASSERT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
   EXPECT_GT(result.confidence, 0.5F);
   EXPECT_EQ(result.input.used, cloud->size());
-  EXPECT_GE(correspondenceRate(mapErrors(human(), result.partners)), 0.95);
+  EXPECT_GE(correspondenceRate(mapErrors(bentHuman(), result.partners)), 0.95);
 }
 
 TEST(CloudInput, NormalsThatNobodyEstimatedAreRefused)
 {
   SymmetryParameters parameters;
   parameters.normals = NormalSource::Given;
-  EXPECT_THROW(compute(cloudOf<pcl::PointNormal>(human().surface.points), parameters), pcl::BadArgumentException);
+  EXPECT_THROW(compute(cloudOf<pcl::PointNormal>(bentHuman().surface.points), parameters), pcl::BadArgumentException);
 }
 
 TEST(CloudInput, SparseResultsComeFromTheSameMap)
 {
   SymmetryParameters parameters;
-  const auto cloud = cloudOf(human().surface.points);
+  const auto cloud = cloudOf(bentHuman().surface.points);
   const pcl::IntrinsicSymmetryResult dense = compute(cloud, parameters);
   parameters.sparse_only = true;
   const pcl::IntrinsicSymmetryResult sparse = compute(cloud, parameters);
@@ -183,12 +176,12 @@ TEST(CloudInput, GivenNormalsOfPointsWithoutAreRefused)
 {
   SymmetryParameters parameters;
   parameters.normals = NormalSource::Given;
-  EXPECT_THROW(compute(cloudOf(human().surface.points), parameters), pcl::BadArgumentException);
+  EXPECT_THROW(compute(cloudOf(bentHuman().surface.points), parameters), pcl::BadArgumentException);
 }
 
 TEST(CloudInput, DuplicatedPointsAreKept)
 {
-  std::vector<Vector3> points = human().surface.points;
+  std::vector<Vector3> points = bentHuman().surface.points;
   const std::size_t n = points.size();
   for (std::size_t v = 0; v < n; v += 5) {
     const Vector3 copy = points[v];
@@ -201,7 +194,7 @@ TEST(CloudInput, DuplicatedPointsAreKept)
   for (Index& partner : partners) {
     partner = partner < static_cast<Index>(n) ? partner : 5 * (partner - static_cast<Index>(n));
   }
-  EXPECT_GE(correspondenceRate(mapErrors(human(), partners)), 0.95);
+  EXPECT_GE(correspondenceRate(mapErrors(bentHuman(), partners)), 0.95);
 }
 
 /** A cloud of the points of a body that are kept, run, and the rate of right partners. */

@@ -18,17 +18,10 @@ namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
-const Model&
-human()
-{
-  static const Model model = body(Body::Human, 0.3);
-  return model;
-}
-
 const pcl::PolygonMesh::Ptr&
 humanMesh()
 {
-  static const pcl::PolygonMesh::Ptr mesh = meshOf(human().surface);
+  static const pcl::PolygonMesh::Ptr mesh = meshOf(bentHuman().surface);
   return mesh;
 }
 
@@ -107,7 +100,7 @@ expectNoReferenceTo(const SymmetryResult& result, const std::vector<char>& marke
 TEST(IntrinsicSymmetryEstimation, AgreesWithTheFunctionWithoutPclTypes)
 {
   const pcl::IntrinsicSymmetryResult result = compute(humanMesh());
-  const SymmetryResult expected = estimateIntrinsicSymmetry(human().surface, staged());
+  const SymmetryResult expected = estimateIntrinsicSymmetry(bentHuman().surface, staged());
   EXPECT_EQ(result.status, SymmetryStatus::Symmetric);
   EXPECT_EQ(result.partners, expected.partners);
   EXPECT_EQ(result.confidences, expected.confidences);
@@ -148,7 +141,7 @@ TEST(IntrinsicSymmetryEstimation, NonFinitePointsTakeNoPart)
   Surface surface;
   std::vector<char> marked;
   std::vector<Index> new_number;
-  for (const Vector3& p : human().surface.points) {
+  for (const Vector3& p : bentHuman().surface.points) {
     if (surface.size() % 100 == 7) {
       surface.points.push_back({p[0], surface.size() % 200 == 7 ? not_a_number : INFINITY, p[2]});
       marked.push_back(1);
@@ -157,11 +150,11 @@ TEST(IntrinsicSymmetryEstimation, NonFinitePointsTakeNoPart)
     surface.points.push_back(p);
     marked.push_back(0);
   }
-  for (const Triangle& t : human().surface.triangles) {
+  for (const Triangle& t : bentHuman().surface.triangles) {
     surface.triangles.push_back({new_number[t[0]], new_number[t[1]], new_number[t[2]]});
   }
   const pcl::IntrinsicSymmetryResult result = compute(meshOf(surface));
-  const SymmetryResult expected = estimateIntrinsicSymmetry(human().surface, staged());
+  const SymmetryResult expected = estimateIntrinsicSymmetry(bentHuman().surface, staged());
   ASSERT_EQ(result.status, SymmetryStatus::Symmetric);
   ASSERT_EQ(result.partners.size(), surface.size());
   for (std::size_t v = 0; v < new_number.size(); ++v) {
@@ -180,12 +173,12 @@ TEST(IntrinsicSymmetryEstimation, NonFinitePointsTakeNoPart)
 TEST(IntrinsicSymmetryEstimation, PointsOutsideTheIndicesTakeNoPart)
 {
   // Two bodies side by side, of which the indices choose the second; its points come in falling order.
-  Surface surface = human().surface;
+  Surface surface = bentHuman().surface;
   const auto n = static_cast<Index>(surface.size());
-  for (const Vector3& p : human().surface.points) {
+  for (const Vector3& p : bentHuman().surface.points) {
     surface.points.push_back(p + Vector3{10.0F, 0.0F, 0.0F});
   }
-  for (const Triangle& t : human().surface.triangles) {
+  for (const Triangle& t : bentHuman().surface.triangles) {
     surface.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
   }
   const auto indices = pcl::make_shared<pcl::Indices>();
@@ -206,7 +199,7 @@ TEST(IntrinsicSymmetryEstimation, PointsOutsideTheIndicesTakeNoPart)
   for (const Index partner : partners) {
     of_one_body.push_back(partner - n);
   }
-  EXPECT_GE(correspondenceRate(mapErrors(human(), of_one_body)), 0.95);
+  EXPECT_GE(correspondenceRate(mapErrors(bentHuman(), of_one_body)), 0.95);
   EXPECT_EQ(result.input.points, surface.size());
   EXPECT_EQ(result.input.outside_indices, static_cast<std::size_t>(n));
   EXPECT_EQ(result.input.used, static_cast<std::size_t>(n));
@@ -216,8 +209,8 @@ TEST(IntrinsicSymmetryEstimation, OnlyTheLargestComponentTakesPart)
 {
   Surface surface = sphereMesh(3);
   const auto sphere = static_cast<Index>(surface.size());
-  surface.points.insert(surface.points.end(), human().surface.points.begin(), human().surface.points.end());
-  for (const Triangle& t : human().surface.triangles) {
+  surface.points.insert(surface.points.end(), bentHuman().surface.points.begin(), bentHuman().surface.points.end());
+  for (const Triangle& t : bentHuman().surface.triangles) {
     surface.triangles.push_back({t[0] + sphere, t[1] + sphere, t[2] + sphere});
   }
   surface.points.push_back({50.0F, 0.0F, 0.0F}); // on no face
@@ -237,7 +230,7 @@ TEST(IntrinsicSymmetryEstimation, OnlyTheLargestComponentTakesPart)
   expectNoReferenceTo(result, marked);
   EXPECT_EQ(result.input.components, 3U);
   EXPECT_EQ(result.input.other_components, static_cast<std::size_t>(sphere) + 1);
-  EXPECT_EQ(result.input.used, human().surface.size());
+  EXPECT_EQ(result.input.used, bentHuman().surface.size());
 }
 
 TEST(IntrinsicSymmetryEstimation, RefusesToComputeWithoutInput)
@@ -249,7 +242,7 @@ TEST(IntrinsicSymmetryEstimation, RefusesToComputeWithoutInput)
 
 TEST(IntrinsicSymmetryEstimation, RefusesIndicesOutOfRangeAndRepeated)
 {
-  const auto n = static_cast<Index>(human().surface.size());
+  const auto n = static_cast<Index>(bentHuman().surface.size());
   expectInMessage(messageOf<pcl::BadArgumentException>([n] {
                     compute(humanMesh(), pcl::make_shared<pcl::Indices>(pcl::Indices{0, n}));
                   }),
@@ -266,12 +259,12 @@ TEST(IntrinsicSymmetryEstimation, RefusesIndicesOutOfRangeAndRepeated)
 
 TEST(IntrinsicSymmetryEstimation, RefusesAPolygonWithAPointThatIsNotThere)
 {
-  for (const int corner : {-1, static_cast<int>(human().surface.size())}) {
+  for (const int corner : {-1, static_cast<int>(bentHuman().surface.size())}) {
     const auto mesh = pcl::make_shared<pcl::PolygonMesh>(*humanMesh());
     mesh->polygons[5].vertices[1] = static_cast<pcl::index_t>(corner);
     pcl::IntrinsicSymmetryEstimation<pcl::PointXYZ> estimation;
     expectInMessage(messageOf<pcl::BadArgumentException>([&] { estimation.setInputMesh(mesh); }),
-                    {"polygon 5", std::to_string(human().surface.size())});
+                    {"polygon 5", std::to_string(bentHuman().surface.size())});
   }
 }
 
@@ -335,7 +328,7 @@ TEST(IntrinsicSymmetryEstimation, PolygonsAreTriangulatedAsFans)
   const auto mesh = pcl::make_shared<pcl::PolygonMesh>(*humanMesh());
   mesh->polygons.clear();
   // Triangles in pairs that share an edge become quads, whose fan is either that pair or the other diagonal's.
-  const std::vector<Triangle>& triangles = human().surface.triangles;
+  const std::vector<Triangle>& triangles = bentHuman().surface.triangles;
   std::vector<char> used(triangles.size(), 0);
   std::size_t quads = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -361,7 +354,7 @@ TEST(IntrinsicSymmetryEstimation, PolygonsAreTriangulatedAsFans)
   const pcl::IntrinsicSymmetryResult result = compute(mesh);
   ASSERT_EQ(result.status, SymmetryStatus::Symmetric);
   EXPECT_EQ(result.input.faces, triangles.size());
-  EXPECT_GE(correspondenceRate(mapErrors(human(), result.partners)), 0.95);
+  EXPECT_GE(correspondenceRate(mapErrors(bentHuman(), result.partners)), 0.95);
 }
 
 template <typename PointT>

@@ -12,13 +12,6 @@ using namespace pcl::symmetry::test;
 
 namespace {
 
-const Model&
-human()
-{
-  static const Model model = body(Body::Human, 0.3);
-  return model;
-}
-
 void
 expectNothingAbout(const SymmetryResult& result, std::size_t v)
 {
@@ -40,7 +33,7 @@ protected:
   {
     SymmetryParameters parameters;
     parameters.method = GetParam();
-    return estimateIntrinsicSymmetry(human().surface, parameters, [&](const char* step, double fraction) {
+    return estimateIntrinsicSymmetry(bentHuman().surface, parameters, [&](const char* step, double fraction) {
       calls_.push_back({step, fraction});
       return calls_.size() < calls_until_cancelled;
     });
@@ -82,7 +75,7 @@ TEST_P(ProgressTest, CancellingAtAnyStepLeavesNothingAboutAnyPoint)
     EXPECT_EQ(calls_.size(), last);
     EXPECT_EQ(result.status, SymmetryStatus::Cancelled);
     EXPECT_FALSE(result.message.empty());
-    ASSERT_EQ(result.partners.size(), human().surface.size());
+    ASSERT_EQ(result.partners.size(), bentHuman().surface.size());
     for (std::size_t v = 0; v < result.partners.size(); ++v) {
       expectNothingAbout(result, v);
     }

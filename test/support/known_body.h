@@ -31,6 +31,14 @@ body(Body kind, double bend, std::uint64_t seed = 1)
   return makeModel(parameters);
 }
 
+/** \brief A human whose pose is slightly bent, made once. */
+inline const Model&
+bentHuman()
+{
+  static const Model model = body(Body::Human, 0.3);
+  return model;
+}
+
 inline double
 surfaceArea(const Surface& mesh)
 {

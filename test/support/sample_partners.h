@@ -4,20 +4,12 @@
 #pragma once
 
 #include "base/vector_math.h"
-#include "support/coarse_body.h"
+#include "support/human.h"
 #include "symmetry/samples/surface_patch.h"
 
 namespace pcl {
 namespace symmetry {
 namespace test {
-
-/** \brief A human in a pose, made once. */
-inline const CoarseBody&
-human()
-{
-  static const CoarseBody body = coarseBody(Body::Human, 1.0);
-  return body;
-}
 
 /** \brief The true partner of every sample. */
 inline std::vector<Index>

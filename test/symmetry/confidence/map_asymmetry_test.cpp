@@ -1,4 +1,4 @@
-#include "support/coarse_body.h"
+#include "support/human.h"
 #include "symmetry/confidence/map_asymmetry.h"
 #include "symmetry/confidence/map_confidence.h"
 #include "symmetry/search/symmetry_search.h"
@@ -37,13 +37,6 @@ judgeBest(Body kind)
 {
   const CoarseBody body = coarseBody(kind, 1.0);
   return judge(body, searchSymmetries(body.sampled(2), SearchSettings{}).at(0).map);
-}
-
-const CoarseBody&
-human()
-{
-  static const CoarseBody body = coarseBody(Body::Human, 1.0);
-  return body;
 }
 
 TEST(FindAsymmetry, SeesNoneInTheIdentity)

@@ -1,5 +1,5 @@
 // Landmarks, the order of their pairs, and the regions around their extremities.
-#include "support/coarse_body.h"
+#include "support/human.h"
 #include "symmetry/sides/limb_regions.h"
 #include "symmetry/sides/side_votes.h"
 
@@ -9,13 +9,6 @@ using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
 
 namespace {
-
-const CoarseBody&
-human()
-{
-  static const CoarseBody body = coarseBody(Body::Human, 1.0);
-  return body;
-}
 
 /** On which side of the plane x = 0 the sample of a landmark lies in the rest pose: -1, 0 or 1. Models of one body have
  * the same vertices whatever the pose. */

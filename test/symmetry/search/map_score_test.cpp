@@ -1,4 +1,4 @@
-#include "support/coarse_body.h"
+#include "support/human.h"
 #include "symmetry/confidence/map_confidence.h"
 #include "symmetry/search/map_score.h"
 
@@ -41,13 +41,6 @@ scoreOf(const CoarseBody& body, const SampleMap& map)
 {
   const ShapeDescriptor descriptor = describeShape(body.coarse, body.basis, 8, DescriptorWeights{});
   return scoreMap(body.landmarks, descriptor, map, map.size(), ScoreWeights{});
-}
-
-const CoarseBody&
-human()
-{
-  static const CoarseBody body = coarseBody(Body::Human, 1.0);
-  return body;
 }
 
 /** An ellipsoid of three different axes: three reflections and three half turns. */

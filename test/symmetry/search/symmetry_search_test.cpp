@@ -1,4 +1,4 @@
-#include "support/coarse_body.h"
+#include "support/human.h"
 #include "symmetry/search/symmetry_search.h"
 
 #include <gtest/gtest.h>
@@ -7,13 +7,6 @@ using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
 
 namespace {
-
-const CoarseBody&
-human()
-{
-  static const CoarseBody body = coarseBody(Body::Human, 1.0);
-  return body;
-}
 
 std::vector<SymmetryCandidate>
 search(const CoarseBody& body, const SearchSettings& settings = {}, unsigned threads = 2)
