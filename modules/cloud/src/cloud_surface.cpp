@@ -272,24 +272,24 @@ restoreHarmless(const std::vector<Vector3>& points,
 std::vector<GraphEdge>
 linksAcrossGaps(const std::vector<Vector3>& points, const SurfaceGraph& graph)
 {
-  constexpr float widest = 0.05F; // of the longest side
-  constexpr Index fewest = 20;
+  constexpr float maximum_gap = 0.05F; // of the longest side
+  constexpr Index minimum_part = 20;   // points
   std::vector<GraphEdge> links;
   const Components parts = connectedComponents(graph);
   if (parts.sizes.size() < 2) {
     return links;
   }
-  const PointGrid grid(points, widest);
+  const PointGrid grid(points, maximum_gap);
   std::vector<std::vector<GraphEdge>> ways(parts.sizes.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
     const Index part = parts.component_of[v];
-    if (part == 0 || parts.sizes[part] < fewest) {
+    if (part == 0 || parts.sizes[part] < minimum_part) {
       continue;
     }
-    GraphEdge nearest{static_cast<Index>(v), no_index, widest};
+    GraphEdge nearest{static_cast<Index>(v), no_index, maximum_gap};
     grid.visitAround(points[v], [&](Index w) {
       const Index other = parts.component_of[w];
-      if (other != part && parts.sizes[other] >= fewest && distance(points[v], points[w]) < nearest.length) {
+      if (other != part && parts.sizes[other] >= minimum_part && distance(points[v], points[w]) < nearest.length) {
         nearest.b = w;
         nearest.length = distance(points[v], points[w]);
       }
@@ -299,7 +299,7 @@ linksAcrossGaps(const std::vector<Vector3>& points, const SurfaceGraph& graph)
     }
   }
   for (const std::vector<GraphEdge>& candidates : ways) {
-    float shortest = widest;
+    float shortest = maximum_gap;
     for (const GraphEdge& way : candidates) {
       shortest = std::min(shortest, way.length);
     }

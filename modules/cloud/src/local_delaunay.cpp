@@ -87,7 +87,7 @@ template <typename Visit>
 void
 visitFan(const std::vector<PlanePoint>& ring, Visit visit)
 {
-  constexpr float widest = 2.6F;
+  constexpr float maximum_gap = 2.6F;
   constexpr float full_turn = 6.2831853F;
   if (ring.size() < 2) {
     return;
@@ -96,7 +96,7 @@ visitFan(const std::vector<PlanePoint>& ring, Visit visit)
     const PlanePoint& a = ring[i];
     const PlanePoint& b = ring[(i + 1) % ring.size()];
     const float gap = i + 1 < ring.size() ? b.angle - a.angle : b.angle - a.angle + full_turn;
-    if (gap > 0.0F && gap < widest) {
+    if (gap > 0.0F && gap < maximum_gap) {
       visit(a, b);
     }
   }

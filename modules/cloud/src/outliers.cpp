@@ -14,7 +14,7 @@ namespace {
 
 /** Points whose neighbours are, in the lower quartile, several times closer to theirs. */
 std::vector<char>
-findLonely(const NeighbourLists& lists, const std::vector<float>& mean_distance)
+findLocalOutliers(const NeighbourLists& lists, const std::vector<float>& mean_distance)
 {
   constexpr float farther = 3.0F;
   std::vector<char> outlier(mean_distance.size(), 0);
@@ -93,7 +93,7 @@ void
 markBesideSurface(const std::vector<Vector3>& points,
                   const NeighbourLists& lists,
                   const std::vector<float>& distances,
-                  std::vector<char>& stray)
+                  std::vector<char>& outlier)
 {
   constexpr int hardly_any = 2;
   std::vector<int> times_a_neighbour(points.size(), 0);
@@ -103,13 +103,13 @@ markBesideSurface(const std::vector<Vector3>& points,
     }
   }
   for (std::size_t v = 0; v < points.size(); ++v) {
-    if (stray[v] == 0 && times_a_neighbour[v] <= hardly_any && isOffPlane(points, lists, v, distances[v])) {
-      stray[v] = 1;
+    if (outlier[v] == 0 && times_a_neighbour[v] <= hardly_any && isOffPlane(points, lists, v, distances[v])) {
+      outlier[v] = 1;
     }
   }
 }
 
-/** Whether noise fills space as stray points do: then these are told when the noise is smoothed. */
+/** Whether noise fills space as outliers do: then these are told when the noise is smoothed. */
 bool
 isThick(const std::vector<Vector3>& points, const NeighbourLists& lists)
 {
@@ -125,18 +125,18 @@ isThick(const std::vector<Vector3>& points, const NeighbourLists& lists)
 
 /** Marks also what has hardly any neighbours that are not marked. */
 void
-spread(const NeighbourLists& lists, std::vector<char>& stray)
+spread(const NeighbourLists& lists, std::vector<char>& outlier)
 {
   constexpr int rounds = 3;
   for (int round = 0; round < rounds; ++round) {
-    const std::vector<char> before = stray;
-    for (std::size_t v = 0; v < stray.size(); ++v) {
+    const std::vector<char> before = outlier;
+    for (std::size_t v = 0; v < outlier.size(); ++v) {
       std::size_t marked = 0;
       for (const Index u : lists.of(v)) {
         marked += static_cast<std::size_t>(before[u]);
       }
       if (2 * marked > lists.of(v).size()) {
-        stray[v] = 1;
+        outlier[v] = 1;
       }
     }
   }
@@ -158,27 +158,27 @@ neighbourDistances(const std::vector<Vector3>& points, const NeighbourLists& lis
 }
 
 std::vector<char>
-findStrayPoints(const std::vector<Vector3>& points, const NeighbourLists& lists, const std::vector<float>& distances)
+findOutliers(const std::vector<Vector3>& points, const NeighbourLists& lists, const std::vector<float>& distances)
 {
   constexpr float far_apart = 3.0F;    // times the median: about that where the density is a tenth
   constexpr float fills_space = 0.28F; // few points at random are rarely flatter, a surface rarely fuller
-  std::vector<char> stray = findLonely(lists, distances);
+  std::vector<char> outlier = findLocalOutliers(lists, distances);
   if (isThick(points, lists)) {
-    return stray;
+    return outlier;
   }
-  markBesideSurface(points, lists, distances, stray);
+  markBesideSurface(points, lists, distances, outlier);
   const float far = far_apart * median(distances);
   bool found = false;
   for (std::size_t v = 0; v < points.size(); ++v) {
-    if (stray[v] == 0 && distances[v] > far && flatness(points, lists, v) > fills_space) {
-      stray[v] = 1;
+    if (outlier[v] == 0 && distances[v] > far && flatness(points, lists, v) > fills_space) {
+      outlier[v] = 1;
       found = true;
     }
   }
   if (found) {
-    spread(lists, stray);
+    spread(lists, outlier);
   }
-  return stray;
+  return outlier;
 }
 
 } // namespace symmetry

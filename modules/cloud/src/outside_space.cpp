@@ -12,7 +12,7 @@ namespace symmetry {
 
 OutsideSpace::OutsideSpace(const std::vector<Surfel>& surfels, float cube) : cube_(cube)
 {
-  constexpr double most_cubes = 1.6e7;
+  constexpr double maximum_cubes = 1.6e7;
   BoundingBox box;
   for (const Surfel& surfel : surfels) {
     const Vector3 reach{surfel.radius, surfel.radius, surfel.radius};
@@ -27,7 +27,7 @@ OutsideSpace::OutsideSpace(const std::vector<Surfel>& surfels, float cube) : cub
     }
     return product;
   };
-  while (cubes_of_edge(cube_) > most_cubes) {
+  while (cubes_of_edge(cube_) > maximum_cubes) {
     cube_ *= 1.1F;
   }
   // One layer of cubes around all, where the flood begins.

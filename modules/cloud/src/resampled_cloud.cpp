@@ -110,8 +110,8 @@ selectSpaced(Selection& selection, float spacing, unsigned threads)
 float
 typicalSupport(const SheetPlaces& sheets)
 {
-  constexpr float widest = 3.0F; // times the median gap
-  const float largest = widest * median(sheets.gaps);
+  constexpr float maximum_gap = 3.0F; // times the median gap
+  const float largest = maximum_gap * median(sheets.gaps);
   std::vector<std::pair<float, float>> support_and_area;
   float total = 0.0F;
   for (std::size_t i = 0; i < sheets.places.size(); ++i) {
@@ -134,8 +134,8 @@ typicalSupport(const SheetPlaces& sheets)
 void
 dropUnsupported(Selection& selection, SheetPlaces& sheets, float typical_support)
 {
-  constexpr float little = 0.05F; // the density may well vary by ten
-  const float least = little * typical_support;
+  constexpr float minimum_share = 0.05F; // the density may well vary by ten
+  const float least = minimum_share * typical_support;
   std::vector<Index> kept;
   std::vector<Index> stand_in(sheets.support.size(), no_index);
   for (std::size_t i = 0; i < sheets.support.size(); ++i) {
@@ -150,13 +150,13 @@ dropUnsupported(Selection& selection, SheetPlaces& sheets, float typical_support
 
 /** A spacing, not below the given one, that leaves at most so many points. */
 float
-spacingForAtMost(const std::vector<Vector3>& points, std::size_t most, float spacing, float mean_distance)
+spacingForAtMost(const std::vector<Vector3>& points, std::size_t maximum_points, float spacing, float mean_distance)
 {
   std::size_t left = spacing > 0.0F ? thinOut(points, spacing).size() : points.size();
-  while (left > most) {
+  while (left > maximum_points) {
     // On a surface the number of points falls with the square of the spacing.
     const float finer = std::max(spacing, mean_distance);
-    spacing = finer * std::max(1.1F, std::sqrt(static_cast<float>(left) / static_cast<float>(most)));
+    spacing = finer * std::max(1.1F, std::sqrt(static_cast<float>(left) / static_cast<float>(maximum_points)));
     left = thinOut(points, spacing).size();
   }
   return spacing;
@@ -165,11 +165,13 @@ spacingForAtMost(const std::vector<Vector3>& points, std::size_t most, float spa
 /** Moves the points of a noisy cloud onto its sheets. Not all of them: some at a fraction of the spacing to come.
  * \return the distance between the points of the cloud around each */
 std::vector<float>
-smooth(Selection& selection, const Smoothing& smoothing, std::size_t most, float mean_distance, unsigned threads)
+smooth(
+    Selection& selection, const Smoothing& smoothing, std::size_t maximum_points, float mean_distance, unsigned threads)
 {
   constexpr float fraction = 0.5F;
   const std::vector<Vector3> points = selection.places;
-  const float spacing = spacingForAtMost(selection.places, 2 * most, fraction * smoothing.spacing, mean_distance);
+  const float spacing =
+      spacingForAtMost(selection.places, 2 * maximum_points, fraction * smoothing.spacing, mean_distance);
   selectSpaced(selection, spacing, threads);
   SheetPlaces sheets = moveToSheets(std::move(selection.places), points, smoothing, threads);
   selection.places = std::move(sheets.places);
@@ -253,12 +255,12 @@ partSheets(const std::vector<Vector3>& points, const LayerSides& layers, Resampl
 ResampledCloud
 resampleCloud(const std::vector<Vector3>& points,
               const NeighbourLists& lists,
-              std::size_t most,
+              std::size_t maximum_points,
               unsigned threads,
               NoiseInterpretation interpretation)
 {
   const std::vector<float> mean_distances = neighbourDistances(points, lists);
-  const std::vector<char> outlier = findStrayPoints(points, lists, mean_distances);
+  const std::vector<char> outlier = findOutliers(points, lists, mean_distances);
   std::vector<Vector3> inliers;
   std::vector<Index> number;
   for (std::size_t v = 0; v < points.size(); ++v) {
@@ -275,7 +277,7 @@ resampleCloud(const std::vector<Vector3>& points,
   }
   std::vector<float> gaps;
   if (smoothing.radius > 0.0F) {
-    gaps = smooth(selection, smoothing, most, mean_distance, threads);
+    gaps = smooth(selection, smoothing, maximum_points, mean_distance, threads);
   }
   else if (interpretation == NoiseInterpretation::Parted) {
     const std::vector<Vector3> normals = estimateNormals(points, lists, threads);
@@ -284,7 +286,7 @@ resampleCloud(const std::vector<Vector3>& points,
       gaps.push_back(mean_distances[v]);
     }
   }
-  const float spacing = spacingForAtMost(selection.places, most, smoothing.spacing, mean_distance);
+  const float spacing = spacingForAtMost(selection.places, maximum_points, smoothing.spacing, mean_distance);
   std::vector<Surfel> surface;
   if (interpretation == NoiseInterpretation::Parted) {
     surface = surfels(selection, gaps, std::max(spacing, mean_distance));

@@ -101,14 +101,14 @@ sheetNormals(const std::vector<Vector3>& points,
              const std::vector<Vector3>& normals,
              unsigned threads)
 {
-  constexpr float least_share = 0.6F; // of the neighbours, in the plane of a point that is in one sheet
+  constexpr float minimum_share = 0.6F; // of the neighbours, in the plane of a point that is in one sheet
   constexpr std::size_t grain = 512;
   std::vector<Vector3> of_one_sheet(points.size());
   parallelBlocks(points.size(), grain, threads, [&] {
     return [&, offsets = Offsets()](std::size_t begin, std::size_t end) mutable {
       for (std::size_t v = begin; v < end; ++v) {
         offsets.collect(points, neighbours, v);
-        const bool is_in_one_sheet = offsets.shareInPlane(normals[v]) >= least_share;
+        const bool is_in_one_sheet = offsets.shareInPlane(normals[v]) >= minimum_share;
         of_one_sheet[v] = is_in_one_sheet ? normals[v] : offsets.fitted(normals[v]);
       }
     };

@@ -17,10 +17,10 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr float fewest_spacings = 6.0F;     // of a radius; with fewer points around, planes are uncertain
+constexpr float minimum_spacings = 6.0F;    // of a radius; with fewer points around, planes are uncertain
 constexpr float spacings_per_radius = 6.0F; // of points that show all that is left to see
 constexpr float width_of_thickness = 3.0F;  // the thickness is a standard deviation
-constexpr std::size_t enough = 500;         // points for a plane
+constexpr std::size_t plane_points = 500;   // that are enough for a plane
 
 /** Plane through the mean of the points around a place. */
 struct LocalPlane {
@@ -196,8 +196,8 @@ moveToSheet(Vector3& place, Vector3& normal, const CoordinateRows& around, float
   return all.support > 0.0F ? sheet.support / all.support : 0.0F;
 }
 
-/** The points of a cloud around places: within the least radius where there are enough, else within the radius around
- * as many, but at most the largest one. */
+/** The points of a cloud around places: within the least radius where there are enough, else within the radius
+ * around as many, but at most the largest one. */
 class Neighbourhoods {
 public:
   Neighbourhoods(const std::vector<Vector3>& points, const Smoothing& smoothing)
@@ -209,16 +209,16 @@ public:
   float
   gather(const Vector3& place, std::vector<Vector3>& around) const
   {
-    constexpr std::size_t fewest = 80;
+    constexpr std::size_t minimum_points = 80;
     gatherAround(points_, near_, place, smoothing_.least_radius, around);
-    if (around.size() >= fewest || smoothing_.least_radius >= smoothing_.radius) {
+    if (around.size() >= minimum_points || smoothing_.least_radius >= smoothing_.radius) {
       return smoothing_.least_radius;
     }
     gatherAround(points_, far_, place, smoothing_.radius, around);
-    if (around.size() <= fewest) {
+    if (around.size() <= minimum_points) {
       return smoothing_.radius;
     }
-    const auto last = around.begin() + static_cast<std::ptrdiff_t>(fewest);
+    const auto last = around.begin() + static_cast<std::ptrdiff_t>(minimum_points);
     std::nth_element(around.begin(), last, around.end(), [&](const Vector3& a, const Vector3& b) {
       const float da = squaredDistance(a, place);
       const float db = squaredDistance(b, place);
@@ -255,7 +255,7 @@ findSmoothing(const std::vector<Vector3>& points, float spacing)
     }
     if (thickness < flattest) {
       flattest = thickness;
-      const float smoothing_radius = std::max(step_up * radius, fewest_spacings * spacing);
+      const float smoothing_radius = std::max(step_up * radius, minimum_spacings * spacing);
       best = {smoothing_radius, smoothing_radius, width_of_thickness * thickness * radius,
               radius / spacings_per_radius};
     }
@@ -276,7 +276,7 @@ withLeastRadius(Smoothing smoothing, float spacing)
   // The normal of a plane fitted to n points with noise s in a disc of radius r is off by 2 s / (r sqrt (n)), and n is
   // pi (r / spacing)^2.
   const float certain = std::sqrt(disc * noise * spacing / tolerance);
-  smoothing.least_radius = std::min(smoothing.radius, std::max(certain, fewest_spacings * spacing));
+  smoothing.least_radius = std::min(smoothing.radius, std::max(certain, minimum_spacings * spacing));
   smoothing.spacing = std::min(smoothing.spacing, smoothing.least_radius / spacings_per_radius);
   return smoothing;
 }
@@ -287,14 +287,14 @@ moveToSheets(std::vector<Vector3> places,
              const Smoothing& smoothing,
              unsigned threads)
 {
-  constexpr float least_share = 0.1F; // of a stray point; at a fork of sheets it is larger
+  constexpr float minimum_share = 0.1F; // of an outlier; at a fork of sheets it is larger
   constexpr float pi = 3.14159265F;
   SheetPlaces sheets;
   sheets.places = std::move(places);
   sheets.normals.resize(sheets.places.size());
   sheets.gaps.resize(sheets.places.size());
   sheets.support.resize(sheets.places.size());
-  const std::size_t times_enough = std::max<std::size_t>(1, fewestAround(points, smoothing.radius) / enough);
+  const std::size_t times_enough = std::max<std::size_t>(1, fewestAround(points, smoothing.radius) / plane_points);
   const std::vector<Vector3> thinned = everyFew(points, points.size() / times_enough);
   const Neighbourhoods neighbourhoods(thinned, smoothing);
   constexpr std::size_t grain = 64;
@@ -303,11 +303,11 @@ moveToSheets(std::vector<Vector3> places,
       for (std::size_t v = begin; v < end; ++v) {
         const float radius = neighbourhoods.gather(sheets.places[v], around);
         const auto number = static_cast<float>(std::max<std::size_t>(1, around.size()));
-        rows.assign(everyFew(around, enough));
+        rows.assign(everyFew(around, plane_points));
         const float share = moveToSheet(sheets.places[v], sheets.normals[v], rows, radius, smoothing.width);
         const float to_radius = smoothing.radius / radius;
         sheets.gaps[v] = radius * std::sqrt(pi / number);
-        sheets.support[v] = share < least_share ? 0.0F : share * number * to_radius * to_radius;
+        sheets.support[v] = share < minimum_share ? 0.0F : share * number * to_radius * to_radius;
       }
     };
   });

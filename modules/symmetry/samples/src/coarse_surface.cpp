@@ -65,9 +65,9 @@ cellConductances(const PreparedSurface& surface, const CoarseSurface& coarse)
       add_flow(u, v, 0.5F * cotangent(surface.points[u] - apex, surface.points[v] - apex));
     }
   }
-  constexpr float least = 0.01F; // keeps connected what is connected
+  constexpr float minimum_conductance = 0.01F; // keeps connected what is connected
   for (float& c : conductances) {
-    c = std::max(c, least);
+    c = std::max(c, minimum_conductance);
   }
   return conductances;
 }
@@ -121,9 +121,9 @@ triangulateCells(CoarseSurface& coarse)
   coarse.triangles = std::move(laplacian.triangles);
   coarse.areas = std::move(laplacian.areas);
   coarse.conductances = std::move(laplacian.conductances);
-  constexpr float least = 0.01F; // keeps connected what is connected
+  constexpr float minimum_conductance = 0.01F; // keeps connected what is connected
   for (float& c : coarse.conductances) {
-    c = std::max(c, least);
+    c = std::max(c, minimum_conductance);
   }
 }
 

@@ -108,14 +108,14 @@ cellsAtHoles(const PreparedSurface& surface, const FarthestPointSamples& cells, 
     return at_hole; // what smoothing leaves of noise has rims all over
   }
   std::vector<Place> places = surface.is_cloud ? placesInCloud(surface) : placesOnMesh(surface);
-  const float least = (surface.is_cloud ? cloud_crack : mesh_crack) * spacing;
+  const float minimum_extent = (surface.is_cloud ? cloud_crack : mesh_crack) * spacing;
   for (std::size_t v = 0; v < places.size(); ++v) {
     if (places[v] != Place::OnRim) {
       continue;
     }
     const std::vector<Index> rim = takeRim(surface.graph, static_cast<Index>(v), places);
     const float extent = extentOf(surface.points, rim);
-    if (extent >= least && extent <= whole_side) {
+    if (extent >= minimum_extent && extent <= whole_side) {
       for (const Index w : rim) {
         at_hole[cells.owner[w]] = 1;
       }

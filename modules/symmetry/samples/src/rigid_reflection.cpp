@@ -114,8 +114,8 @@ slideAlongPlanes(const std::vector<OrientedMatch>& matches, const Vector3& centr
   const Eigen::Matrix<float, 6, 1> motion = equations.solve();
   const Eigen::Vector3f turn = motion.head<3>();
   const float angle = turn.norm();
-  constexpr float largest = 1.0F; // beyond it the linearisation means nothing
-  if (!motion.allFinite() || angle > largest) {
+  constexpr float maximum_angle = 1.0F; // beyond it the linearisation means nothing
+  if (!motion.allFinite() || angle > maximum_angle) {
     return;
   }
   Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();

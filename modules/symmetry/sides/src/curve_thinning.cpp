@@ -183,7 +183,7 @@ private:
 std::vector<Polyline>
 bandCurves(const SurfaceGraph& graph, const std::vector<float>& side_function, const std::vector<Side>& sides)
 {
-  constexpr std::size_t most_curves = 32; // what is left by then are crumbs
+  constexpr std::size_t maximum_curves = 32; // what is left by then are crumbs
   std::vector<Index> band;
   float largest = 0.0F;
   for (std::size_t v = 0; v < graph.size(); ++v) {
@@ -198,7 +198,7 @@ bandCurves(const SurfaceGraph& graph, const std::vector<float>& side_function, c
   }
   BandThinner thinner(graph, band, factor);
   std::vector<Polyline> curves;
-  while (!thinner.done() && curves.size() < most_curves) {
+  while (!thinner.done() && curves.size() < maximum_curves) {
     curves.push_back(thinner.next());
   }
   return curves;

@@ -22,7 +22,7 @@ sideOfLandmark(const LandmarkSurface& landmarks, const OrderedPairs& pairs, Inde
 std::vector<std::pair<Index, Index>>
 swappedExtremities(const LandmarkSurface& landmarks, const SampleMap& map, const OrderedPairs& pairs)
 {
-  constexpr float apart = 0.15F; // of the diameter: nearer ends belong to one limb, or to none
+  constexpr float apart = 0.15F; // of the diameter: nearer extremities belong to one limb, or to none
   std::vector<std::pair<Index, Index>> limbs;
   for (const Index extremity : landmarks.extremities) {
     const Index partner = map[extremity];

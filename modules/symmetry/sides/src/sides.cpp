@@ -7,7 +7,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr double smallest_patch_share = 0.02;
+constexpr double minimum_patch_share = 0.02;
 
 /** A value without a side (zero) takes the sign of most of its neighbours; the source side where they are as many. */
 std::vector<float>
@@ -79,7 +79,7 @@ specksOfOneSign(const Patches& patches, std::size_t vertices)
   }
   const auto is_speck = [&](std::size_t i) {
     return patches.sizes[i] < largest[patches.positive[i] ? 1 : 0] &&
-           static_cast<double>(patches.sizes[i]) < smallest_patch_share * static_cast<double>(vertices);
+           static_cast<double>(patches.sizes[i]) < minimum_patch_share * static_cast<double>(vertices);
   };
   // One sign at a time, that of the smallest speck first: a speck within a speck must not turn together with it.
   std::size_t smallest = vertices;
@@ -131,9 +131,9 @@ sideFunction(const DistanceFields& source_fields, const DistanceFields& target_f
 std::vector<float>
 absorbSpecks(const SurfaceGraph& graph, const std::vector<float>& side_function)
 {
-  constexpr int most_rounds = 16; // specks within specks are rarely nested deeper than twice
+  constexpr int maximum_rounds = 16; // specks within specks are rarely nested deeper than twice
   std::vector<float> values = withoutZeros(graph, side_function);
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < maximum_rounds; ++round) {
     const Patches patches = findPatches(graph, values);
     const std::vector<bool> specks = specksOfOneSign(patches, graph.size());
     if (std::find(specks.begin(), specks.end(), true) == specks.end()) {

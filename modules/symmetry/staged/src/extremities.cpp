@@ -98,10 +98,10 @@ embeddedGraph(const SurfaceGraph& graph, const SpectralEmbedding& embedding)
 std::vector<Index>
 mutuallyFarthestVertices(const SurfaceGraph& graph, Index start, std::size_t count)
 {
-  constexpr int most_rounds = 4;
+  constexpr int maximum_rounds = 4;
   std::vector<Index> points = farthestPointSampling(graph, farthest(distanceField(graph, start)), count).vertices;
   bool moved = points.size() > 1;
-  for (int round = 0; moved && round < most_rounds; ++round) {
+  for (int round = 0; moved && round < maximum_rounds; ++round) {
     moved = false;
     for (Index& point : points) {
       std::vector<Index> others;
@@ -117,10 +117,10 @@ mutuallyFarthestVertices(const SurfaceGraph& graph, Index start, std::size_t cou
   return points;
 }
 
-TipFunctions
-tipFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, float separation, unsigned threads)
+ExtremityFunctions
+extremityFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, float separation, unsigned threads)
 {
-  TipFunctions functions;
+  ExtremityFunctions functions;
   const FarthestPointSamples sampling = farthestPointSampling(embedded, start, samples);
   functions.average = smoothOverRings(
       embedded, meanField(distanceFields(embedded, sampling.vertices, threads), threads), smoothing_rounds);
@@ -133,7 +133,7 @@ tipFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, flo
 }
 
 const std::vector<float>&
-pairingFeature(const TipFunctions& functions, PairingFeature feature)
+pairingFeature(const ExtremityFunctions& functions, PairingFeature feature)
 {
   const bool large = functions.average.size() >= points_of_large_surface;
   return feature == PairingFeature::MinimalGeodesicDistance || (feature == PairingFeature::BySurfaceSize && large)
