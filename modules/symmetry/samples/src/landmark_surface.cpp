@@ -2,6 +2,7 @@
 
 #include "base/vector_math.h"
 #include "geodesic/shortest_paths.h"
+#include "symmetry/samples/sample_settings.h"
 
 #include <algorithm>
 #include <numeric>
@@ -9,6 +10,8 @@
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr LandmarkSettings settings{};
 
 /** Nearest landmark of every sample; ties go to the lower landmark. */
 std::vector<Index>
@@ -52,14 +55,13 @@ extremitiesOf(const LandmarkSurface& landmarks, float separation, std::size_t ma
 std::vector<char>
 comparableLandmarks(const LandmarkSurface& landmarks, const std::vector<Index>& map)
 {
-  constexpr std::size_t minimum_share = 5; // a fifth
   std::vector<char> comparable(map.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < map.size(); ++i) {
     comparable[i] = landmarks.at_hole[i] == 0 && landmarks.at_hole[map[i]] == 0 ? 1 : 0;
     count += static_cast<std::size_t>(comparable[i]);
   }
-  if (minimum_share * count < map.size()) {
+  if (settings.comparable_part * count < map.size()) {
     std::fill(comparable.begin(), comparable.end(), 1);
   }
   return comparable;
@@ -119,9 +121,7 @@ makeLandmarkSurface(const CoarseSurface& surface, std::size_t landmarks, Metric 
   result.triangles = dualTriangles(surface.triangles, result.nearest_landmark);
   const Eigen::VectorXf mean = result.distances.rowwise().mean();
   result.average_distance.assign(mean.data(), mean.data() + n);
-  constexpr float separation = 1.0F / 15.0F;
-  constexpr std::size_t maximum_extremities = 10;
-  result.extremities = extremitiesOf(result, separation, maximum_extremities);
+  result.extremities = extremitiesOf(result, settings.separation, settings.maximum_extremities);
   return result;
 }
 
