@@ -18,8 +18,8 @@ enum class Limb : char {
 /** \brief Whether each opening of the mesh at the cut is closed by a fan of triangles around its centre. */
 enum class Stump : char { Open, Closed };
 
-/** \brief Cuts off what lies within 0.3 of the diameter around the end of a limb, and all pieces of the rest but the
- * largest.
+/** \brief Cuts off what lies within 0.3 of the diameter around the extremity of a limb, and all pieces of the rest but
+ * the largest.
  *
  * Distances are shortest paths along the edges of the mesh.
  * \param[in] mesh surface with faces

@@ -30,8 +30,8 @@ enum class NoiseInterpretation {
 
 /** \brief Prepares a cloud.
  *
- * Outliers are stray points, see findStrayPoints (), unless they are hardly farther from a point in use than that is
- * from its neighbours. A cloud is thick where, at the distance of its neighbours, it fills space instead of a plane;
+ * Outliers, see findOutliers (), are left out, unless they are hardly farther from a point in use than that is from
+ * its neighbours. A cloud is thick where, at the distance of its neighbours, it fills space instead of a plane;
  * then points are moved onto planes fitted to the points within a larger radius, about the one at which most
  * neighbourhoods are flattest. Only points on the same sheet of the surface take part (robust moving least squares
  * \cite fleishman2005robust), so that the two sides of a thin part and two parts in contact stay apart as long as the
@@ -40,14 +40,14 @@ enum class NoiseInterpretation {
  *
  * \param[in] points all finite, at unit scale
  * \param[in] lists their nearest neighbours
- * \param[in] most how many working points there may be at most
+ * \param[in] maximum_points how many points may be left
  * \param[in] interpretation of the layers of points; sheets can only be parted where the surface is closed but for
  * small holes
  */
 ResampledCloud
 resampleCloud(const std::vector<Vector3>& points,
               const NeighbourLists& lists,
-              std::size_t most,
+              std::size_t maximum_points,
               unsigned threads,
               NoiseInterpretation interpretation = NoiseInterpretation::Smooth);
 

@@ -35,8 +35,8 @@ public:
 
   /** \brief Dissects the graph and finds the boundary of every node.
    * \param[in] graph referred to, not copied
-   * \param[in] most_field_cost the analysis ends early, as not feasible (), when a field would cost more */
-  MinPlusFactor(const SurfaceGraph& graph, double most_field_cost, unsigned threads);
+   * \param[in] maximum_field_cost the analysis ends early, as not feasible (), when a field would cost more */
+  MinPlusFactor(const SurfaceGraph& graph, double maximum_field_cost, unsigned threads);
 
   bool
   feasible() const
@@ -86,7 +86,7 @@ private:
   sortEdges();
 
   bool
-  findBoundaries(double most_field_cost);
+  findBoundaries(double maximum_field_cost);
 
   void
   eliminate(std::size_t node, FrontScratch& scratch, unsigned threads);

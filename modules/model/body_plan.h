@@ -19,7 +19,7 @@ struct Bone {
   std::string name;
   int parent = -1;
   Eigen::Vector3d joint = Eigen::Vector3d::Zero();
-  Eigen::Vector3d lowest_turn = Eigen::Vector3d::Zero();  ///< least angles about x, y, z in degrees
+  Eigen::Vector3d lowest_turn = Eigen::Vector3d::Zero();  ///< smallest angles about x, y, z in degrees
   Eigen::Vector3d highest_turn = Eigen::Vector3d::Zero(); ///< largest ones
 };
 

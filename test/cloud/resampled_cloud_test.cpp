@@ -237,15 +237,15 @@ TEST(ResampledCloud, PartedLetsBothSheetsStandForPointsOfTheCloud)
             static_cast<std::ptrdiff_t>(9 * cloud.points.size() / 10));
 }
 
-TEST(ResampledCloud, OfANoisyCloudLeavesOutStrayPoints)
+TEST(ResampledCloud, OfANoisyCloudLeavesOutOutliers)
 {
   std::vector<Vector3> points = noisy(sphereCloud(20000, sphere_radius), 0.01F, 6);
   std::mt19937 random(7);
   const std::size_t clean = points.size();
   while (points.size() < clean + 40) {
-    const Vector3 stray{evenly(random, -0.5F, 0.5F), evenly(random, -0.5F, 0.5F), evenly(random, -0.5F, 0.5F)};
-    if (std::abs(norm(stray) - sphere_radius) > 0.1F) {
-      points.push_back(stray);
+    const Vector3 outlier{evenly(random, -0.5F, 0.5F), evenly(random, -0.5F, 0.5F), evenly(random, -0.5F, 0.5F)};
+    if (std::abs(norm(outlier) - sphere_radius) > 0.1F) {
+      points.push_back(outlier);
     }
   }
   const ResampledCloud cloud = resampledCloud(points);

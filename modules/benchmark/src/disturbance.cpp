@@ -15,12 +15,12 @@ namespace symmetry {
 namespace {
 
 void
-checkRange(const char* name, double value, double least, double most)
+checkRange(const char* name, double value, double minimum, double maximum)
 {
-  if (value >= least && value <= most)
+  if (value >= minimum && value <= maximum)
     return;
   std::ostringstream message;
-  message << name << ' ' << value << " is not in [" << least << ", " << most << ']';
+  message << name << ' ' << value << " is not in [" << minimum << ", " << maximum << ']';
   throw pcl::BadArgumentException(message.str());
 }
 

@@ -40,10 +40,10 @@ commonPoints(const PreparedSurface& prepared, const std::vector<Index>& origins)
 
 /** At most so many entries, evenly numbered. */
 std::vector<CommonPoint>
-thinned(const std::vector<CommonPoint>& all, std::size_t most)
+thinned(const std::vector<CommonPoint>& all, std::size_t maximum)
 {
   std::vector<CommonPoint> some;
-  const std::size_t step = (all.size() + most - 1) / most;
+  const std::size_t step = (all.size() + maximum - 1) / maximum;
   for (std::size_t i = 0; i < all.size(); i += step)
     some.push_back(all[i]);
   return some;
@@ -97,13 +97,13 @@ struct Totals {
 GraphAccuracy
 compareGraph(const Surface& mesh, const PreparedSurface& prepared, const std::vector<Index>& origins, unsigned threads)
 {
-  constexpr std::size_t most_sources = 100;
-  constexpr std::size_t most_targets = 1000;
+  constexpr std::size_t maximum_sources = 100;
+  constexpr std::size_t maximum_targets = 1000;
   constexpr double nearest = 0.05;
   constexpr double shortened = 0.8;
   const std::vector<CommonPoint> common = commonPoints(prepared, origins);
-  const std::vector<CommonPoint> sources = thinned(common, most_sources);
-  const std::vector<CommonPoint> targets = thinned(common, most_targets);
+  const std::vector<CommonPoint> sources = thinned(common, maximum_sources);
+  const std::vector<CommonPoint> targets = thinned(common, maximum_targets);
   std::vector<Index> vertices;
   std::vector<Index> points;
   for (const CommonPoint& source : sources) {

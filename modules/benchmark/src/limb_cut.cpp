@@ -21,21 +21,21 @@ namespace {
 GroundTruth
 somePairs(const GroundTruth& truth)
 {
-  constexpr std::size_t most = 100;
+  constexpr std::size_t maximum_pairs = 100;
   GroundTruth pairs;
   std::copy_if(truth.begin(), truth.end(), std::back_inserter(pairs),
                [](const TruePartner& p) { return p.vertex < p.partner; });
   GroundTruth some;
-  const std::size_t step = (pairs.size() + most - 1) / most;
+  const std::size_t step = (pairs.size() + maximum_pairs - 1) / maximum_pairs;
   for (std::size_t i = 0; i < pairs.size(); i += step)
     some.push_back(pairs[i]);
   return some;
 }
 
-/** Where limbs end: pairs of landmarks, and the distances from the first of each. */
-class LimbEnds {
+/** The extremities of limbs: pairs of landmarks, and the distances from the first of each. */
+class LimbExtremities {
 public:
-  LimbEnds(const Surface& mesh, const GroundTruth& truth) : pairs_(somePairs(truth))
+  LimbExtremities(const Surface& mesh, const GroundTruth& truth) : pairs_(somePairs(truth))
   {
     std::vector<Index> sources(pairs_.size());
     std::transform(pairs_.begin(), pairs_.end(), sources.begin(), [](const TruePartner& p) { return p.vertex; });
@@ -50,7 +50,7 @@ public:
     return diameter_;
   }
 
-  /** Distances of all vertices from the end of a limb. */
+  /** Distances of all vertices from the extremity of a limb. */
   const float*
   distancesFrom(Limb limb) const
   {
@@ -59,20 +59,20 @@ public:
   }
 
 private:
-  /** From the pair whose ends are farthest apart, of those that are not near \a other. */
+  /** From the pair whose extremities are farthest apart, of those that are not near \a other. */
   const float*
   distancesFromFarthest(const float* other) const
   {
-    constexpr float least_apart = 0.35F; // shares of the diameter
-    constexpr float near = 0.35F;
+    constexpr float minimum_separation = 0.35F; // shares of the diameter
+    constexpr float same_limb = 0.35F;
     const float* best = nullptr;
-    float most = least_apart * diameter_;
+    float largest = minimum_separation * diameter_;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const float apart = fields_.row(i)[pairs_[i].partner];
       const bool is_near =
-          other != nullptr && std::min(other[pairs_[i].vertex], other[pairs_[i].partner]) < near * diameter_;
-      if (!is_near && std::isfinite(apart) && apart > most) {
-        most = apart;
+          other != nullptr && std::min(other[pairs_[i].vertex], other[pairs_[i].partner]) < same_limb * diameter_;
+      if (!is_near && std::isfinite(apart) && apart > largest) {
+        largest = apart;
         best = fields_.row(i);
       }
     }
@@ -158,13 +158,13 @@ DisturbedSurface
 cutLimb(const Surface& mesh, const GroundTruth& truth, Limb limb, Stump stump)
 {
   constexpr float reach = 0.3F;
-  const LimbEnds ends(mesh, truth);
-  const float* distances = ends.distancesFrom(limb);
+  const LimbExtremities extremities(mesh, truth);
+  const float* distances = extremities.distancesFrom(limb);
   DisturbedSurface whole{{mesh.points, mesh.triangles, {}}, std::vector<Index>(mesh.size())};
   std::iota(whole.origins.begin(), whole.origins.end(), Index{0});
   std::vector<char> keep(mesh.size());
   std::transform(distances, distances + mesh.size(), keep.begin(),
-                 [&](float distance) { return distance >= reach * ends.diameter() ? 1 : 0; });
+                 [&](float distance) { return distance >= reach * extremities.diameter() ? 1 : 0; });
   std::vector<char> is_at_cut(mesh.size(), 0);
   for (const Triangle& t : mesh.triangles)
     if (std::any_of(t.begin(), t.end(), [&](Index v) { return keep[v] == 0; }))

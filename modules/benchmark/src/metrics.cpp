@@ -151,8 +151,8 @@ MapAccuracy::shareBelow(double threshold) const
 GroundTruth
 subsampleTruth(const GroundTruth& truth)
 {
-  const std::size_t most = 200;
-  const std::size_t step = truth.size() > most ? truth.size() / most + 1 : 1;
+  constexpr std::size_t maximum_pairs = 200;
+  const std::size_t step = truth.size() > maximum_pairs ? truth.size() / maximum_pairs + 1 : 1;
   GroundTruth sample;
   for (std::size_t i = 0; i < truth.size(); i += step)
     sample.push_back(truth[i]);

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/vector_math.h"
+#include "cloud/cloud_settings.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -13,6 +14,8 @@
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr FanSettings settings{};
 
 Vector3
 planeNormal(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v)
@@ -28,7 +31,7 @@ planeNormal(const std::vector<Vector3>& points, const NeighbourLists& lists, std
   const auto add = [&](const Vector3& p) {
     const Vector3 offset = inverse * (p - points[v]);
     const Eigen::Vector3f x(offset[0], offset[1], offset[2]);
-    const float weight = std::exp(-2.0F * x.squaredNorm());
+    const float weight = std::exp(-settings.falloff * x.squaredNorm());
     mean += weight * x;
     covariance += weight * x * x.transpose();
     total += weight;

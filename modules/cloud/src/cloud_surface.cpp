@@ -5,6 +5,7 @@
 #include "base/union_find.h"
 #include "base/vector_math.h"
 #include "cloud/cloud_normals.h"
+#include "cloud/cloud_settings.h"
 #include "cloud/local_delaunay.h"
 #include "cloud/point_grid.h"
 #include "cloud/sheet_normals.h"
@@ -22,6 +23,8 @@
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr ContactSettings settings{};
 
 /** Every edge of a graph once. */
 std::vector<GraphEdge>
@@ -113,14 +116,13 @@ largestStep(const std::vector<GraphEdge>& edges,
             const std::vector<Vector3>& normals,
             const ContactTest& contact)
 {
-  constexpr float beyond_usual = 5.0F;
   if (contact.step >= 1.0F || edges.empty()) {
     return 1.0F; // that of no edge is larger
   }
   std::vector<float> steps(edges.size());
   std::transform(edges.begin(), edges.end(), steps.begin(),
                  [&](const GraphEdge& edge) { return slopeOf(edge, points, normals).step; });
-  return std::max(contact.step, beyond_usual * median(std::move(steps)));
+  return std::max(contact.step, settings.step_excess * median(std::move(steps)));
 }
 
 /** Moves the shortest distrusted edges between parts that the trusted ones do not join to these; the number of them. */
@@ -148,7 +150,11 @@ class ContactBarrier {
 public:
   /** \param[in] depth how far edges are moved */
   ContactBarrier(const std::vector<Vector3>& points, const std::vector<Vector3>& normals, float depth)
-      : points_(points), normals_(normals), clearance_(0.6F * depth), depth_(depth), grid_(points, 2.0F * depth)
+      : points_(points),
+        normals_(normals),
+        clearance_(settings.clearance * depth),
+        depth_(depth),
+        grid_(points, 2.0F * depth)
   {
   }
 
@@ -272,24 +278,23 @@ restoreHarmless(const std::vector<Vector3>& points,
 std::vector<GraphEdge>
 linksAcrossGaps(const std::vector<Vector3>& points, const SurfaceGraph& graph)
 {
-  constexpr float widest = 0.05F; // of the longest side
-  constexpr Index fewest = 20;
   std::vector<GraphEdge> links;
   const Components parts = connectedComponents(graph);
   if (parts.sizes.size() < 2) {
     return links;
   }
-  const PointGrid grid(points, widest);
+  const PointGrid grid(points, settings.maximum_gap);
   std::vector<std::vector<GraphEdge>> ways(parts.sizes.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
     const Index part = parts.component_of[v];
-    if (part == 0 || parts.sizes[part] < fewest) {
+    if (part == 0 || parts.sizes[part] < settings.minimum_part) {
       continue;
     }
-    GraphEdge nearest{static_cast<Index>(v), no_index, widest};
+    GraphEdge nearest{static_cast<Index>(v), no_index, settings.maximum_gap};
     grid.visitAround(points[v], [&](Index w) {
       const Index other = parts.component_of[w];
-      if (other != part && parts.sizes[other] >= fewest && distance(points[v], points[w]) < nearest.length) {
+      if (other != part && parts.sizes[other] >= settings.minimum_part &&
+          distance(points[v], points[w]) < nearest.length) {
         nearest.b = w;
         nearest.length = distance(points[v], points[w]);
       }
@@ -299,12 +304,12 @@ linksAcrossGaps(const std::vector<Vector3>& points, const SurfaceGraph& graph)
     }
   }
   for (const std::vector<GraphEdge>& candidates : ways) {
-    float shortest = widest;
+    float shortest = settings.maximum_gap;
     for (const GraphEdge& way : candidates) {
       shortest = std::min(shortest, way.length);
     }
     std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(links),
-                 [shortest](const GraphEdge& way) { return way.length <= 2.0F * shortest; });
+                 [shortest](const GraphEdge& way) { return way.length <= settings.way_ratio * shortest; });
   }
   return links;
 }
@@ -333,11 +338,10 @@ buildCloudSurface(const std::vector<Vector3>& points,
   std::vector<GraphEdge> distrusted;
   const float largest_step = largestStep(trusted, points, cloud.normals, contact);
   separateEdges(trusted, distrusted, threads, [&](const GraphEdge& edge) {
-    constexpr float steep = 0.7F;
-    constexpr float short_edge = 0.5F; // noise may well point along the normal within the spacing
     const EdgeSlope slope = slopeOf(edge, points, cloud.normals);
     return slope.step > largest_step ||
-           (slope.steepest > steep && edge.length > short_edge * std::min(spacing[edge.a], spacing[edge.b]));
+           (slope.steepest > settings.steep &&
+            edge.length > settings.short_edge * std::min(spacing[edge.a], spacing[edge.b]));
   });
   if (given_normals.empty() || !is_oriented.empty()) {
     std::vector<GraphEdge> whole = trusted;

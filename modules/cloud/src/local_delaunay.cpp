@@ -4,6 +4,7 @@
 #include "base/renumbering.h"
 #include "base/tangent_frame.h"
 #include "base/vector_math.h"
+#include "cloud/cloud_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,8 @@
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr FanSettings settings{};
 
 struct PlanePoint {
   float x;
@@ -87,7 +90,6 @@ template <typename Visit>
 void
 visitFan(const std::vector<PlanePoint>& ring, Visit visit)
 {
-  constexpr float widest = 2.6F;
   constexpr float full_turn = 6.2831853F;
   if (ring.size() < 2) {
     return;
@@ -96,7 +98,7 @@ visitFan(const std::vector<PlanePoint>& ring, Visit visit)
     const PlanePoint& a = ring[i];
     const PlanePoint& b = ring[(i + 1) % ring.size()];
     const float gap = i + 1 < ring.size() ? b.angle - a.angle : b.angle - a.angle + full_turn;
-    if (gap > 0.0F && gap < widest) {
+    if (gap > 0.0F && gap < settings.maximum_gap) {
       visit(a, b);
     }
   }
@@ -106,10 +108,10 @@ visitFan(const std::vector<PlanePoint>& ring, Visit visit)
 float
 halfCotangent(float ux, float uy, float vx, float vy)
 {
-  constexpr float bound = 5.0F;
   const float sine = std::abs(ux * vy - uy * vx);
   const float cosine = ux * vx + uy * vy;
-  return 0.5F * (sine * bound <= std::abs(cosine) ? std::copysign(bound, cosine) : cosine / sine);
+  return 0.5F * (sine * settings.cotangent_bound <= std::abs(cosine) ? std::copysign(settings.cotangent_bound, cosine)
+                                                                     : cosine / sine);
 }
 
 /** Triangles that occur at least twice, once each. Sorted, so that the result does not depend on threads. */

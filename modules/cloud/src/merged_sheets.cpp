@@ -1,6 +1,7 @@
 #include "cloud/merged_sheets.h"
 
 #include "base/vector_math.h"
+#include "cloud/cloud_settings.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,11 +10,13 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
+constexpr SheetSettings settings{};
+
 /** How far it is to the outside in a direction; infinite if farther than \a reach. */
 float
 wayOut(const OutsideSpace& outside, const Vector3& place, const Vector3& direction, float reach)
 {
-  const float step = 0.25F * outside.cube();
+  const float step = settings.probe_step * outside.cube();
   const auto steps = static_cast<int>(reach / step);
   for (int i = 1; i <= steps; ++i) {
     const float way = static_cast<float>(i) * step;
@@ -28,9 +31,7 @@ wayOut(const OutsideSpace& outside, const Vector3& place, const Vector3& directi
 Sides
 lookAround(const OutsideSpace& outside, const Vector3& place, Vector3& normal)
 {
-  constexpr float cubes_of_reach = 2.0F;
-  constexpr float cubes_of_doubt = 0.5F;
-  const float reach = cubes_of_reach * outside.cube();
+  const float reach = settings.reach * outside.cube();
   const float ahead = wayOut(outside, place, normal, reach);
   const float behind = wayOut(outside, place, -1.0F * normal, reach);
   if (ahead > reach && behind > reach) {
@@ -39,7 +40,7 @@ lookAround(const OutsideSpace& outside, const Vector3& place, Vector3& normal)
   if (behind < ahead) {
     normal = -1.0F * normal;
   }
-  const float doubt = cubes_of_doubt * outside.cube();
+  const float doubt = settings.doubt * outside.cube();
   return std::max(ahead, behind) > std::min(ahead, behind) + doubt ? Sides::Outside : Sides::Alike;
 }
 
@@ -51,23 +52,20 @@ lookToBothSides(const std::vector<Surfel>& surface,
                 std::vector<Vector3> normals,
                 float spacing)
 {
-  constexpr float finest = 1.5F; // spacings of a cube
-  constexpr float step = 0.25F;
-  constexpr int views = 7;
-  constexpr float closed = 0.9F;
   LayerSides layers;
   layers.normals = std::move(normals);
   if (!(spacing > 0.0F)) { // nothing but points at the same place as their neighbours
     return layers;
   }
-  for (int view = 0; view < views; ++view) {
-    const OutsideSpace outside(surface, (finest + static_cast<float>(view) * step) * spacing);
+  for (int view = 0; view < settings.views; ++view) {
+    const OutsideSpace outside(surface,
+                               (settings.finest_cube + static_cast<float>(view) * settings.cube_step) * spacing);
     std::vector<Sides> sides;
     for (std::size_t i = 0; i < places.size(); ++i) {
       sides.push_back(lookAround(outside, places[i], layers.normals[i]));
     }
     const auto open = static_cast<float>(std::count(sides.begin(), sides.end(), Sides::Alike));
-    if (open <= (1.0F - closed) * static_cast<float>(places.size())) {
+    if (open <= (1.0F - settings.closed) * static_cast<float>(places.size())) {
       layers.sides = std::move(sides);
       layers.clearance = outside.cube();
       break;
@@ -79,14 +77,13 @@ lookToBothSides(const std::vector<Surfel>& surface,
 NeighbourLists
 neighboursOnOwnSheet(const NeighbourLists& lists, const std::vector<Vector3>& normals, std::size_t k)
 {
-  constexpr float opposed = -0.5F; // at a sharp edge normals turn by a right angle
   NeighbourLists own;
   own.k = k;
   own.neighbours.assign(normals.size() * k, no_index);
   for (std::size_t v = 0; v < normals.size(); ++v) {
     std::size_t found = 0;
     for (const Index u : lists.of(v)) {
-      if (found < k && dot(normals[v], normals[u]) > opposed) {
+      if (found < k && dot(normals[v], normals[u]) > settings.opposed) {
         own.neighbours[v * k + found++] = u;
       }
     }

@@ -2,6 +2,7 @@
 
 #include "base/statistics.h"
 #include "base/vector_math.h"
+#include "cloud/cloud_settings.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -12,11 +13,12 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
+constexpr OutlierSettings settings{};
+
 /** Points whose neighbours are, in the lower quartile, several times closer to theirs. */
 std::vector<char>
-findLonely(const NeighbourLists& lists, const std::vector<float>& mean_distance)
+findLocalOutliers(const NeighbourLists& lists, const std::vector<float>& mean_distance)
 {
-  constexpr float farther = 3.0F;
   std::vector<char> outlier(mean_distance.size(), 0);
   std::vector<float> around;
   for (std::size_t v = 0; v < mean_distance.size(); ++v) {
@@ -28,7 +30,7 @@ findLonely(const NeighbourLists& lists, const std::vector<float>& mean_distance)
     }
     if (!around.empty()) {
       const float quartile = quantileInPlace(around, 0.25);
-      outlier[v] = static_cast<char>(quartile > 0.0F && mean_distance[v] > farther * quartile);
+      outlier[v] = static_cast<char>(quartile > 0.0F && mean_distance[v] > settings.local_ratio * quartile);
     }
   }
   return outlier;
@@ -78,13 +80,12 @@ flatness(const std::vector<Vector3>& points, const NeighbourLists& lists, std::s
 bool
 isOffPlane(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v, float mean_distance)
 {
-  constexpr float deviations = 3.0F; // of the neighbours from their plane
-  constexpr float distances = 0.8F;  // a point of a sparse surface may well be off by half of that
   const Neighbourhood around = neighbourhood(points, lists, v, 0.0F);
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(around.covariance);
   const float offset = std::abs(solver.eigenvectors().col(0).dot(around.mean));
-  return offset > deviations * std::sqrt(std::max(0.0F, solver.eigenvalues()(0))) && offset > distances * mean_distance;
+  return offset > settings.plane_deviations * std::sqrt(std::max(0.0F, solver.eigenvalues()(0))) &&
+         offset > settings.plane_distances * mean_distance;
 }
 
 /** Marks points beside the surface: hardly any of their neighbours has them among its own, since the surface has nearer
@@ -93,9 +94,8 @@ void
 markBesideSurface(const std::vector<Vector3>& points,
                   const NeighbourLists& lists,
                   const std::vector<float>& distances,
-                  std::vector<char>& stray)
+                  std::vector<char>& outlier)
 {
-  constexpr int hardly_any = 2;
   std::vector<int> times_a_neighbour(points.size(), 0);
   for (std::size_t v = 0; v < points.size(); ++v) {
     for (const Index u : lists.of(v)) {
@@ -103,40 +103,38 @@ markBesideSurface(const std::vector<Vector3>& points,
     }
   }
   for (std::size_t v = 0; v < points.size(); ++v) {
-    if (stray[v] == 0 && times_a_neighbour[v] <= hardly_any && isOffPlane(points, lists, v, distances[v])) {
-      stray[v] = 1;
+    if (outlier[v] == 0 && times_a_neighbour[v] <= settings.maximum_times &&
+        isOffPlane(points, lists, v, distances[v])) {
+      outlier[v] = 1;
     }
   }
 }
 
-/** Whether noise fills space as stray points do: then these are told when the noise is smoothed. */
+/** Whether noise fills space as outliers do: then these are told when the noise is smoothed. */
 bool
 isThick(const std::vector<Vector3>& points, const NeighbourLists& lists)
 {
-  constexpr float thick = 0.14F;
-  constexpr std::size_t probes = 1000;
-  const std::size_t stride = std::max<std::size_t>(1, points.size() / probes);
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / settings.probes);
   std::vector<float> probed;
   for (std::size_t v = 0; v < points.size(); v += stride) {
     probed.push_back(flatness(points, lists, v));
   }
-  return median(probed) > thick;
+  return median(probed) > settings.noise_flatness;
 }
 
 /** Marks also what has hardly any neighbours that are not marked. */
 void
-spread(const NeighbourLists& lists, std::vector<char>& stray)
+spread(const NeighbourLists& lists, std::vector<char>& outlier)
 {
-  constexpr int rounds = 3;
-  for (int round = 0; round < rounds; ++round) {
-    const std::vector<char> before = stray;
-    for (std::size_t v = 0; v < stray.size(); ++v) {
+  for (int round = 0; round < settings.spreading_rounds; ++round) {
+    const std::vector<char> before = outlier;
+    for (std::size_t v = 0; v < outlier.size(); ++v) {
       std::size_t marked = 0;
       for (const Index u : lists.of(v)) {
         marked += static_cast<std::size_t>(before[u]);
       }
       if (2 * marked > lists.of(v).size()) {
-        stray[v] = 1;
+        outlier[v] = 1;
       }
     }
   }
@@ -158,27 +156,25 @@ neighbourDistances(const std::vector<Vector3>& points, const NeighbourLists& lis
 }
 
 std::vector<char>
-findStrayPoints(const std::vector<Vector3>& points, const NeighbourLists& lists, const std::vector<float>& distances)
+findOutliers(const std::vector<Vector3>& points, const NeighbourLists& lists, const std::vector<float>& distances)
 {
-  constexpr float far_apart = 3.0F;    // times the median: about that where the density is a tenth
-  constexpr float fills_space = 0.28F; // few points at random are rarely flatter, a surface rarely fuller
-  std::vector<char> stray = findLonely(lists, distances);
+  std::vector<char> outlier = findLocalOutliers(lists, distances);
   if (isThick(points, lists)) {
-    return stray;
+    return outlier;
   }
-  markBesideSurface(points, lists, distances, stray);
-  const float far = far_apart * median(distances);
+  markBesideSurface(points, lists, distances, outlier);
+  const float far = settings.sparse_distance * median(distances);
   bool found = false;
   for (std::size_t v = 0; v < points.size(); ++v) {
-    if (stray[v] == 0 && distances[v] > far && flatness(points, lists, v) > fills_space) {
-      stray[v] = 1;
+    if (outlier[v] == 0 && distances[v] > far && flatness(points, lists, v) > settings.filling_flatness) {
+      outlier[v] = 1;
       found = true;
     }
   }
   if (found) {
-    spread(lists, stray);
+    spread(lists, outlier);
   }
-  return stray;
+  return outlier;
 }
 
 } // namespace symmetry

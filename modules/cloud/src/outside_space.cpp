@@ -3,16 +3,21 @@
 #include "base/bounding_box.h"
 #include "base/tangent_frame.h"
 #include "base/vector_math.h"
+#include "cloud/cloud_settings.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace pcl {
 namespace symmetry {
+namespace {
+
+constexpr SheetSettings settings{};
+
+} // namespace
 
 OutsideSpace::OutsideSpace(const std::vector<Surfel>& surfels, float cube) : cube_(cube)
 {
-  constexpr double most_cubes = 1.6e7;
   BoundingBox box;
   for (const Surfel& surfel : surfels) {
     const Vector3 reach{surfel.radius, surfel.radius, surfel.radius};
@@ -27,8 +32,8 @@ OutsideSpace::OutsideSpace(const std::vector<Surfel>& surfels, float cube) : cub
     }
     return product;
   };
-  while (cubes_of_edge(cube_) > most_cubes) {
-    cube_ *= 1.1F;
+  while (cubes_of_edge(cube_) > settings.maximum_cubes) {
+    cube_ *= settings.cube_growth;
   }
   // One layer of cubes around all, where the flood begins.
   for (int k = 0; k < 3; ++k) {

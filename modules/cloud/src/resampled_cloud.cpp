@@ -5,6 +5,7 @@
 #include "base/statistics.h"
 #include "base/vector_math.h"
 #include "cloud/cloud_normals.h"
+#include "cloud/cloud_settings.h"
 #include "cloud/merged_sheets.h"
 #include "cloud/outliers.h"
 #include "cloud/outside_space.h"
@@ -19,6 +20,8 @@
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr ResamplingSettings settings{};
 
 /** Numbers of points no two of which are closer than a spacing, and all others are within it of one of them. */
 std::vector<Index>
@@ -110,8 +113,7 @@ selectSpaced(Selection& selection, float spacing, unsigned threads)
 float
 typicalSupport(const SheetPlaces& sheets)
 {
-  constexpr float widest = 3.0F; // times the median gap
-  const float largest = widest * median(sheets.gaps);
+  const float largest = settings.maximum_gap * median(sheets.gaps);
   std::vector<std::pair<float, float>> support_and_area;
   float total = 0.0F;
   for (std::size_t i = 0; i < sheets.places.size(); ++i) {
@@ -134,8 +136,7 @@ typicalSupport(const SheetPlaces& sheets)
 void
 dropUnsupported(Selection& selection, SheetPlaces& sheets, float typical_support)
 {
-  constexpr float little = 0.05F; // the density may well vary by ten
-  const float least = little * typical_support;
+  const float least = settings.minimum_support * typical_support;
   std::vector<Index> kept;
   std::vector<Index> stand_in(sheets.support.size(), no_index);
   for (std::size_t i = 0; i < sheets.support.size(); ++i) {
@@ -150,13 +151,14 @@ dropUnsupported(Selection& selection, SheetPlaces& sheets, float typical_support
 
 /** A spacing, not below the given one, that leaves at most so many points. */
 float
-spacingForAtMost(const std::vector<Vector3>& points, std::size_t most, float spacing, float mean_distance)
+spacingForAtMost(const std::vector<Vector3>& points, std::size_t maximum_points, float spacing, float mean_distance)
 {
   std::size_t left = spacing > 0.0F ? thinOut(points, spacing).size() : points.size();
-  while (left > most) {
+  while (left > maximum_points) {
     // On a surface the number of points falls with the square of the spacing.
     const float finer = std::max(spacing, mean_distance);
-    spacing = finer * std::max(1.1F, std::sqrt(static_cast<float>(left) / static_cast<float>(most)));
+    spacing = finer *
+              std::max(settings.spacing_step, std::sqrt(static_cast<float>(left) / static_cast<float>(maximum_points)));
     left = thinOut(points, spacing).size();
   }
   return spacing;
@@ -165,11 +167,12 @@ spacingForAtMost(const std::vector<Vector3>& points, std::size_t most, float spa
 /** Moves the points of a noisy cloud onto its sheets. Not all of them: some at a fraction of the spacing to come.
  * \return the distance between the points of the cloud around each */
 std::vector<float>
-smooth(Selection& selection, const Smoothing& smoothing, std::size_t most, float mean_distance, unsigned threads)
+smooth(
+    Selection& selection, const Smoothing& smoothing, std::size_t maximum_points, float mean_distance, unsigned threads)
 {
-  constexpr float fraction = 0.5F;
   const std::vector<Vector3> points = selection.places;
-  const float spacing = spacingForAtMost(selection.places, 2 * most, fraction * smoothing.spacing, mean_distance);
+  const float spacing = spacingForAtMost(selection.places, 2 * maximum_points,
+                                         settings.smoothed_spacing * smoothing.spacing, mean_distance);
   selectSpaced(selection, spacing, threads);
   SheetPlaces sheets = moveToSheets(std::move(selection.places), points, smoothing, threads);
   selection.places = std::move(sheets.places);
@@ -184,11 +187,9 @@ smooth(Selection& selection, const Smoothing& smoothing, std::size_t most, float
 std::vector<Surfel>
 surfels(const Selection& selection, const std::vector<float>& gaps, float spacing)
 {
-  constexpr float gaps_per_radius = 1.0F;
-  constexpr float spacings_per_radius = 0.7F;
   std::vector<Surfel> discs;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
-    const float radius = std::max(spacings_per_radius * spacing, gaps_per_radius * gaps[i]);
+    const float radius = std::max(settings.spacings_per_radius * spacing, settings.gaps_per_radius * gaps[i]);
     discs.push_back({selection.places[i], selection.normals[i], radius});
   }
   return discs;
@@ -203,7 +204,6 @@ takeInNearby(const std::vector<Vector3>& points,
              const std::vector<float>& mean_distances,
              std::vector<Index>& representatives)
 {
-  constexpr float hardly_farther = 2.0F;
   const std::vector<Index> before = representatives;
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (representatives[v] != no_index) {
@@ -211,7 +211,7 @@ takeInNearby(const std::vector<Vector3>& points,
     }
     const IndexRange around = lists.of(v);
     const Index* const near = std::find_if(around.begin(), around.end(), [&](Index u) {
-      return before[u] != no_index && distance(points[u], points[v]) <= hardly_farther * mean_distances[u];
+      return before[u] != no_index && distance(points[u], points[v]) <= settings.nearby_distance * mean_distances[u];
     });
     representatives[v] = near == around.end() ? no_index : before[*near];
   }
@@ -231,7 +231,7 @@ partSheets(const std::vector<Vector3>& points, const LayerSides& layers, Resampl
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (layers.sides[i] == Sides::Inside) {
-      const Vector3 inwards = -0.125F * layers.clearance * layers.normals[i];
+      const Vector3 inwards = -settings.parted_clearance * layers.clearance * layers.normals[i];
       second[i] = static_cast<Index>(cloud.points.size());
       cloud.points[i] = middle[i] + inwards;
       cloud.points.push_back(middle[i] - inwards);
@@ -253,12 +253,12 @@ partSheets(const std::vector<Vector3>& points, const LayerSides& layers, Resampl
 ResampledCloud
 resampleCloud(const std::vector<Vector3>& points,
               const NeighbourLists& lists,
-              std::size_t most,
+              std::size_t maximum_points,
               unsigned threads,
               NoiseInterpretation interpretation)
 {
   const std::vector<float> mean_distances = neighbourDistances(points, lists);
-  const std::vector<char> outlier = findStrayPoints(points, lists, mean_distances);
+  const std::vector<char> outlier = findOutliers(points, lists, mean_distances);
   std::vector<Vector3> inliers;
   std::vector<Index> number;
   for (std::size_t v = 0; v < points.size(); ++v) {
@@ -275,7 +275,7 @@ resampleCloud(const std::vector<Vector3>& points,
   }
   std::vector<float> gaps;
   if (smoothing.radius > 0.0F) {
-    gaps = smooth(selection, smoothing, most, mean_distance, threads);
+    gaps = smooth(selection, smoothing, maximum_points, mean_distance, threads);
   }
   else if (interpretation == NoiseInterpretation::Parted) {
     const std::vector<Vector3> normals = estimateNormals(points, lists, threads);
@@ -284,7 +284,7 @@ resampleCloud(const std::vector<Vector3>& points,
       gaps.push_back(mean_distances[v]);
     }
   }
-  const float spacing = spacingForAtMost(selection.places, most, smoothing.spacing, mean_distance);
+  const float spacing = spacingForAtMost(selection.places, maximum_points, smoothing.spacing, mean_distance);
   std::vector<Surfel> surface;
   if (interpretation == NoiseInterpretation::Parted) {
     surface = surfels(selection, gaps, std::max(spacing, mean_distance));

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/vector_math.h"
+#include "cloud/cloud_settings.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -12,13 +13,14 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
+constexpr SheetSettings settings{};
+
 /** Where the neighbours of a point are, seen from it. */
 class Offsets {
 public:
   void
   collect(const std::vector<Vector3>& points, const NeighbourLists& lists, std::size_t v)
   {
-    constexpr float thickness = 0.3F; // of a sheet, in mean distances of the neighbours
     offsets_.clear();
     float sum = 0.0F;
     for (const Index u : lists.of(v)) {
@@ -27,7 +29,7 @@ public:
         sum += norm(offsets_.back());
       }
     }
-    const float near = thickness * sum / static_cast<float>(std::max<std::size_t>(offsets_.size(), 1));
+    const float near = settings.thickness * sum / static_cast<float>(std::max<std::size_t>(offsets_.size(), 1));
     inverse_square_ = near > 0.0F ? 1.0F / (near * near) : 0.0F;
   }
 
@@ -46,8 +48,7 @@ public:
   Vector3
   fitted(Vector3 normal) const
   {
-    constexpr int rounds = 3;
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < settings.fitting_rounds; ++round) {
       Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
       for (const Vector3& offset : offsets_) {
         const Eigen::Vector3f x = std::sqrt(inverse_square_) * Eigen::Vector3f(offset[0], offset[1], offset[2]);
@@ -81,12 +82,11 @@ private:
 Vector3
 bilateralMean(const NeighbourLists& lists, const std::vector<Vector3>& normals, std::size_t v)
 {
-  constexpr float difference = 0.1F; // one less the cosine: some 26 degrees
   Vector3 sum = normals[v];
   for (const Index u : lists.of(v)) {
     if (static_cast<std::size_t>(u) != v) {
       const float cosine = dot(normals[v], normals[u]);
-      const float weight = std::exp((std::abs(cosine) - 1.0F) / difference);
+      const float weight = std::exp((std::abs(cosine) - 1.0F) / settings.normal_difference);
       sum = sum + std::copysign(weight, cosine) * normals[u];
     }
   }
@@ -101,14 +101,13 @@ sheetNormals(const std::vector<Vector3>& points,
              const std::vector<Vector3>& normals,
              unsigned threads)
 {
-  constexpr float least_share = 0.6F; // of the neighbours, in the plane of a point that is in one sheet
   constexpr std::size_t grain = 512;
   std::vector<Vector3> of_one_sheet(points.size());
   parallelBlocks(points.size(), grain, threads, [&] {
     return [&, offsets = Offsets()](std::size_t begin, std::size_t end) mutable {
       for (std::size_t v = begin; v < end; ++v) {
         offsets.collect(points, neighbours, v);
-        const bool is_in_one_sheet = offsets.shareInPlane(normals[v]) >= least_share;
+        const bool is_in_one_sheet = offsets.shareInPlane(normals[v]) >= settings.minimum_share;
         of_one_sheet[v] = is_in_one_sheet ? normals[v] : offsets.fitted(normals[v]);
       }
     };

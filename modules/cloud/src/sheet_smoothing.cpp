@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/statistics.h"
 #include "base/vector_math.h"
+#include "cloud/cloud_settings.h"
 #include "cloud/point_grid.h"
 #include "kernels/kernels.h"
 
@@ -17,10 +18,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr float fewest_spacings = 6.0F;     // of a radius; with fewer points around, planes are uncertain
-constexpr float spacings_per_radius = 6.0F; // of points that show all that is left to see
-constexpr float width_of_thickness = 3.0F;  // the thickness is a standard deviation
-constexpr std::size_t enough = 500;         // points for a plane
+constexpr SmoothingSettings settings{};
 
 /** Plane through the mean of the points around a place. */
 struct LocalPlane {
@@ -138,11 +136,11 @@ fitSheet(const CoordinateRows& around, const Vector3& place, const Vector3& norm
   return fitPlane(around, place, radius, (radius / width) * normal);
 }
 
-/** Every so many-th point, so that about \a most are left; all if there are no more. */
+/** Every so many-th point, so that about \a count are left; all if there are no more. */
 std::vector<Vector3>
-everyFew(const std::vector<Vector3>& points, std::size_t most)
+everyFew(const std::vector<Vector3>& points, std::size_t count)
 {
-  const std::size_t stride = std::max<std::size_t>(1, points.size() / std::max<std::size_t>(1, most));
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / std::max<std::size_t>(1, count));
   std::vector<Vector3> chosen;
   for (std::size_t i = 0; i < points.size(); i += stride) {
     chosen.push_back(points[i]);
@@ -154,11 +152,10 @@ everyFew(const std::vector<Vector3>& points, std::size_t most)
 float
 relativeThickness(const std::vector<Vector3>& points, float radius)
 {
-  constexpr std::size_t probes = 600;
   const PointGrid grid(points, radius);
   std::vector<float> thickness;
   std::vector<Vector3> around;
-  for (const Vector3& place : everyFew(points, probes)) {
+  for (const Vector3& place : everyFew(points, settings.thickness_probes)) {
     gatherAround(points, grid, place, radius, around);
     thickness.push_back(fitPlane(CoordinateRows(around), place, radius).thickness / radius);
   }
@@ -169,11 +166,10 @@ relativeThickness(const std::vector<Vector3>& points, float radius)
 std::size_t
 fewestAround(const std::vector<Vector3>& points, float radius)
 {
-  constexpr std::size_t probes = 300;
   const PointGrid grid(points, radius);
   std::vector<std::size_t> numbers;
   std::vector<Vector3> around;
-  for (const Vector3& place : everyFew(points, probes)) {
+  for (const Vector3& place : everyFew(points, settings.number_probes)) {
     gatherAround(points, grid, place, radius, around);
     numbers.push_back(around.size());
   }
@@ -185,10 +181,9 @@ fewestAround(const std::vector<Vector3>& points, float radius)
 float
 moveToSheet(Vector3& place, Vector3& normal, const CoordinateRows& around, float radius, float width)
 {
-  constexpr int rounds = 4; // each takes a place nearer to the middle of its sheet by more than a half
   const LocalPlane all = fitPlane(around, place, radius);
   LocalPlane sheet = all;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < settings.rounds; ++round) {
     sheet = fitSheet(around, place, sheet.normal, radius, width);
     place = place - dot(place - sheet.mean, sheet.normal) * sheet.normal;
   }
@@ -196,8 +191,8 @@ moveToSheet(Vector3& place, Vector3& normal, const CoordinateRows& around, float
   return all.support > 0.0F ? sheet.support / all.support : 0.0F;
 }
 
-/** The points of a cloud around places: within the least radius where there are enough, else within the radius around
- * as many, but at most the largest one. */
+/** The points of a cloud around places: within the least radius where there are enough, else within the radius
+ * around as many, but at most the largest one. */
 class Neighbourhoods {
 public:
   Neighbourhoods(const std::vector<Vector3>& points, const Smoothing& smoothing)
@@ -209,16 +204,15 @@ public:
   float
   gather(const Vector3& place, std::vector<Vector3>& around) const
   {
-    constexpr std::size_t fewest = 80;
     gatherAround(points_, near_, place, smoothing_.least_radius, around);
-    if (around.size() >= fewest || smoothing_.least_radius >= smoothing_.radius) {
+    if (around.size() >= settings.minimum_points || smoothing_.least_radius >= smoothing_.radius) {
       return smoothing_.least_radius;
     }
     gatherAround(points_, far_, place, smoothing_.radius, around);
-    if (around.size() <= fewest) {
+    if (around.size() <= settings.minimum_points) {
       return smoothing_.radius;
     }
-    const auto last = around.begin() + static_cast<std::ptrdiff_t>(fewest);
+    const auto last = around.begin() + static_cast<std::ptrdiff_t>(settings.minimum_points);
     std::nth_element(around.begin(), last, around.end(), [&](const Vector3& a, const Vector3& b) {
       const float da = squaredDistance(a, place);
       const float db = squaredDistance(b, place);
@@ -241,23 +235,19 @@ private:
 Smoothing
 findSmoothing(const std::vector<Vector3>& points, float spacing)
 {
-  constexpr float first = 2.2F;    // spacings; with fewer points around, any plane fits
-  constexpr float largest = 0.06F; // of the longest side
-  constexpr float step = 1.25F;
-  constexpr float flat = 0.09F;
-  constexpr float step_up = 1.25F; // with more points the planes gain in certainty more than they lose
   Smoothing best;
   float flattest = std::numeric_limits<float>::infinity();
-  for (float radius = first * spacing; radius > 0.0F && radius < largest; radius *= step) {
+  for (float radius = settings.first_radius * spacing; radius > 0.0F && radius < settings.maximum_radius;
+       radius *= settings.radius_step) {
     const float thickness = relativeThickness(points, radius);
-    if (best.radius == 0.0F && thickness < flat) {
+    if (best.radius == 0.0F && thickness < settings.flat) {
       return {};
     }
     if (thickness < flattest) {
       flattest = thickness;
-      const float smoothing_radius = std::max(step_up * radius, fewest_spacings * spacing);
-      best = {smoothing_radius, smoothing_radius, width_of_thickness * thickness * radius,
-              radius / spacings_per_radius};
+      const float smoothing_radius = std::max(settings.certain_radius * radius, settings.minimum_spacings * spacing);
+      best = {smoothing_radius, smoothing_radius, settings.width_of_thickness * thickness * radius,
+              radius / settings.spacings_per_radius};
     }
   }
   return best;
@@ -266,18 +256,17 @@ findSmoothing(const std::vector<Vector3>& points, float spacing)
 Smoothing
 withLeastRadius(Smoothing smoothing, float spacing)
 {
-  constexpr float tolerance = 0.0375F; // radians, of the normals
-  constexpr float disc = 1.128F;       // 2 / sqrt (pi)
+  constexpr float disc = 1.128F; // 2 / sqrt (pi)
   if (smoothing.radius <= 0.0F) {
     return smoothing;
   }
   // Where neighbourhoods are flattest, noise and curvature have equal parts in their thickness.
-  const float noise = smoothing.width / (width_of_thickness * std::sqrt(2.0F));
+  const float noise = smoothing.width / (settings.width_of_thickness * std::sqrt(2.0F));
   // The normal of a plane fitted to n points with noise s in a disc of radius r is off by 2 s / (r sqrt (n)), and n is
   // pi (r / spacing)^2.
-  const float certain = std::sqrt(disc * noise * spacing / tolerance);
-  smoothing.least_radius = std::min(smoothing.radius, std::max(certain, fewest_spacings * spacing));
-  smoothing.spacing = std::min(smoothing.spacing, smoothing.least_radius / spacings_per_radius);
+  const float certain = std::sqrt(disc * noise * spacing / settings.normal_tolerance);
+  smoothing.least_radius = std::min(smoothing.radius, std::max(certain, settings.minimum_spacings * spacing));
+  smoothing.spacing = std::min(smoothing.spacing, smoothing.least_radius / settings.spacings_per_radius);
   return smoothing;
 }
 
@@ -287,14 +276,14 @@ moveToSheets(std::vector<Vector3> places,
              const Smoothing& smoothing,
              unsigned threads)
 {
-  constexpr float least_share = 0.1F; // of a stray point; at a fork of sheets it is larger
   constexpr float pi = 3.14159265F;
   SheetPlaces sheets;
   sheets.places = std::move(places);
   sheets.normals.resize(sheets.places.size());
   sheets.gaps.resize(sheets.places.size());
   sheets.support.resize(sheets.places.size());
-  const std::size_t times_enough = std::max<std::size_t>(1, fewestAround(points, smoothing.radius) / enough);
+  const std::size_t times_enough =
+      std::max<std::size_t>(1, fewestAround(points, smoothing.radius) / settings.plane_points);
   const std::vector<Vector3> thinned = everyFew(points, points.size() / times_enough);
   const Neighbourhoods neighbourhoods(thinned, smoothing);
   constexpr std::size_t grain = 64;
@@ -303,11 +292,11 @@ moveToSheets(std::vector<Vector3> places,
       for (std::size_t v = begin; v < end; ++v) {
         const float radius = neighbourhoods.gather(sheets.places[v], around);
         const auto number = static_cast<float>(std::max<std::size_t>(1, around.size()));
-        rows.assign(everyFew(around, enough));
+        rows.assign(everyFew(around, settings.plane_points));
         const float share = moveToSheet(sheets.places[v], sheets.normals[v], rows, radius, smoothing.width);
         const float to_radius = smoothing.radius / radius;
         sheets.gaps[v] = radius * std::sqrt(pi / number);
-        sheets.support[v] = share < least_share ? 0.0F : share * number * to_radius * to_radius;
+        sheets.support[v] = share < settings.minimum_share ? 0.0F : share * number * to_radius * to_radius;
       }
     };
   });

@@ -9,10 +9,10 @@ namespace {
 
 template <typename Number>
 void
-checkRange(const char* name, Number value, Number least, Number most)
+checkRange(const char* name, Number value, Number minimum, Number maximum)
 {
-  if (!(value >= least && value <= most)) { // also true of NaN
-    refuseArgument(name, " is ", value, ", allowed are ", least, " to ", most);
+  if (!(value >= minimum && value <= maximum)) { // also true of NaN
+    refuseArgument(name, " is ", value, ", allowed are ", minimum, " to ", maximum);
   }
 }
 

@@ -15,7 +15,7 @@ constexpr std::size_t largest_leaf = 32;
 
 } // namespace
 
-MinPlusFactor::MinPlusFactor(const SurfaceGraph& graph, double most_field_cost, unsigned threads)
+MinPlusFactor::MinPlusFactor(const SurfaceGraph& graph, double maximum_field_cost, unsigned threads)
     : graph_(graph),
       dissection_(dissect(graph, largest_leaf, threads)),
       position_(graph.size()),
@@ -30,7 +30,7 @@ MinPlusFactor::MinPlusFactor(const SurfaceGraph& graph, double most_field_cost, 
               static_cast<std::uint32_t>(node));
   }
   sortEdges();
-  feasible_ = findBoundaries(most_field_cost);
+  feasible_ = findBoundaries(maximum_field_cost);
 }
 
 /** Edges by position, each at the lower of its two. */
@@ -108,7 +108,7 @@ private:
 };
 
 bool
-MinPlusFactor::findBoundaries(double most_field_cost)
+MinPlusFactor::findBoundaries(double maximum_field_cost)
 {
   BoundaryFinder finder(*this);
   for (std::size_t node = 0; node < fronts_.size(); ++node) {
@@ -128,7 +128,7 @@ MinPlusFactor::findBoundaries(double most_field_cost)
     cost_.field += own_count * boundary_count;
     cost_.factor +=
         own_count * (own_count * own_count + own_count * boundary_count + 0.5 * boundary_count * boundary_count);
-    if (cost_.field > most_field_cost) {
+    if (cost_.field > maximum_field_cost) {
       return false;
     }
   }
@@ -265,17 +265,17 @@ MinPlusFactor::factorize(unsigned threads)
   to_boundary_.reserve(to_boundary_size_);
   // Subtrees that share no node are independent of each other. The nodes of a subtree are numbered one after another.
   constexpr std::size_t subtrees_per_thread = 4;
-  const std::size_t most = graph_.size() / (subtrees_per_thread * threadCount(threads, graph_.size())) + 1;
+  const std::size_t maximum_size = graph_.size() / (subtrees_per_thread * threadCount(threads, graph_.size())) + 1;
   std::vector<std::pair<std::size_t, std::size_t>> subtrees; // first node and the one after the last
   std::vector<std::size_t> above;                            // nodes that belong to none
   std::size_t first = 0;                                     // the first node after those of the subtrees found
   for (std::size_t node = 0; node < fronts_.size(); ++node) {
     const std::int32_t parent = dissection_.nodes[node].parent;
-    if (subtreeSize(node) > most) {
+    if (subtreeSize(node) > maximum_size) {
       above.push_back(node);
       first = node + 1;
     }
-    else if (parent < 0 || subtreeSize(static_cast<std::size_t>(parent)) > most) {
+    else if (parent < 0 || subtreeSize(static_cast<std::size_t>(parent)) > maximum_size) {
       subtrees.emplace_back(first, node + 1);
       first = node + 1;
     }

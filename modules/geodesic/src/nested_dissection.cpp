@@ -180,7 +180,7 @@ private:
   // A piece is cut into layers along its direction. No edge joins two pieces, so a neighbour of a vertex of the piece
   // is in the piece or has this layer:
   static constexpr std::uint8_t separator = 0;
-  static constexpr std::size_t most_layers = 128;
+  static constexpr std::size_t maximum_layers = 128;
 
   struct Scratch {
     std::vector<Index> borders[2];
@@ -326,7 +326,7 @@ private:
       least = std::min(least, along);
       largest = std::max(largest, along);
     }
-    const std::size_t layers = end - begin < 1024 ? most_layers / 4 : most_layers;
+    const std::size_t layers = end - begin < 1024 ? maximum_layers / 4 : maximum_layers;
     const float width = (largest - least) / static_cast<float>(layers);
     if (width > 0.0F) {
       const float per_length = 1.0F / width;
@@ -348,8 +348,8 @@ private:
   std::uint8_t
   bestCut(std::size_t begin, std::size_t end, std::size_t layers)
   {
-    std::int32_t counts[most_layers + 1] = {}; // vertices
-    std::int32_t change[most_layers + 1] =
+    std::int32_t counts[maximum_layers + 1] = {}; // vertices
+    std::int32_t change[maximum_layers + 1] =
         {}; // vertices with a neighbour above, less those with none above from here on
     for (std::size_t i = begin; i < end; ++i) {
       const Index v = order_[i];

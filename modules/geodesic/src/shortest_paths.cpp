@@ -87,14 +87,14 @@ DistanceFieldSolver::~DistanceFieldSolver() = default;
 bool
 DistanceFieldSolver::isFactorized(unsigned threads)
 {
-  constexpr std::size_t fewest_sources = 24; // below, not even the analysis pays
+  constexpr std::size_t minimum_sources = 24; // below, not even the analysis pays
   const auto count = static_cast<double>(sources_);
   const auto vertices = static_cast<double>(graph_.size());
   const double search = EngineCosts::search_per_edge * static_cast<double>(graph_.neighbours.size());
   const double elimination =
       vertices * (EngineCosts::analysis_per_vertex +
                   EngineCosts::factor_per_minimum * EngineCosts::minima_per_vertex * std::sqrt(vertices));
-  if (factorized_ || sources_ < fewest_sources || search * count < elimination) {
+  if (factorized_ || sources_ < minimum_sources || search * count < elimination) {
     return factorized_;
   }
   if (factor_ == nullptr) {
@@ -113,14 +113,14 @@ DistanceFieldSolver::isFactorized(unsigned threads)
 DistanceFields
 DistanceFieldSolver::fields(const std::vector<Index>& sources, unsigned threads)
 {
-  constexpr std::size_t fewest_eliminated = 4; // a sweep costs as much for one source as for many
+  constexpr std::size_t minimum_eliminated = 4; // a sweep costs as much for one source as for many
   DistanceFields fields;
   fields.columns = graph_.size();
   fields.values.reserve(sources.size() * graph_.size());
   preferLargePages(fields.values.data(), sources.size() * graph_.size() * sizeof(float));
   fields.values.resize(sources.size() * graph_.size());
   sources_ += sources.size();
-  if (isFactorized(threads) && sources.size() >= fewest_eliminated) {
+  if (isFactorized(threads) && sources.size() >= minimum_eliminated) {
     factor_->fields(sources, fields.values.data(), threads);
   }
   else {

@@ -166,8 +166,8 @@ shape(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d&
 void
 flipEdges(EditableMesh& mesh, Index first, double share, RandomNumbers& random)
 {
-  constexpr double least_shape = 0.22; // two equilateral triangles become two of 0.29
-  constexpr double least_cosine = 0.9; // of the angle between the two triangles: a flip must not dent the skin
+  constexpr double minimum_shape = 0.22; // two equilateral triangles become two of 0.29
+  constexpr double minimum_cosine = 0.9; // of the angle between the two triangles: a flip must not dent the skin
   for (const auto& [a, b] : mesh.edges()) {
     const bool drawn = random.uniform() < share;
     const auto [c, d] = mesh.opposite(a, b);
@@ -179,7 +179,7 @@ flipEdges(EditableMesh& mesh, Index first, double share, RandomNumbers& random)
     const Eigen::Vector3d& pd = mesh.point(d);
     const Eigen::Vector3d left = (pb - pa).cross(pc - pa).normalized();
     const Eigen::Vector3d right = (pa - pb).cross(pd - pb).normalized();
-    if (left.dot(right) > least_cosine && shape(pc, pd, pb) > least_shape && shape(pd, pc, pa) > least_shape)
+    if (left.dot(right) > minimum_cosine && shape(pc, pd, pb) > minimum_shape && shape(pd, pc, pa) > minimum_shape)
       mesh.flip(a, b);
   }
 }

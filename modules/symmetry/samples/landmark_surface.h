@@ -59,7 +59,7 @@ comparableLandmarks(const LandmarkSurface& landmarks, const std::vector<Index>& 
 /** \brief Landmarks whose AGD is largest within a distance of \a separation (share of the diameter), at most so many,
  * the farthest out first. */
 std::vector<Index>
-extremitiesOf(const LandmarkSurface& landmarks, float separation, std::size_t most);
+extremitiesOf(const LandmarkSurface& landmarks, float separation, std::size_t maximum_count);
 
 } // namespace symmetry
 } // namespace pcl

@@ -19,8 +19,8 @@ namespace symmetry {
 std::vector<std::pair<Index, Index>>
 swappedExtremities(const LandmarkSurface& landmarks, const SampleMap& map, const OrderedPairs& pairs);
 
-/** \brief Region of every landmark: limb of a pair where the landmark is nearer to its end than half the way to the
- * other end, else centre (as the regions of the staged method). */
+/** \brief Region of every landmark: limb of a pair where the landmark is nearer to its extremity than half the way
+ * to the other one, else centre (as the regions of the staged method). */
 std::vector<Region>
 limbRegions(const LandmarkSurface& landmarks, const std::vector<std::pair<Index, Index>>& limbs);
 

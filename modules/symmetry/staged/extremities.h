@@ -1,5 +1,6 @@
 /** \file
- * \brief Extreme points of a surface, and the functions whose maxima they and other tips are (paper, section 3.1).
+ * \brief Extreme points of a surface, and the functions whose maxima they and other extremities are (paper,
+ * section 3.1).
  */
 #pragma once
 
@@ -30,11 +31,11 @@ std::vector<Index>
 mutuallyFarthestVertices(const SurfaceGraph& graph, Index start, std::size_t count);
 
 /** \brief Average and minimal geodesic distances on the embedded surface and their local maxima. */
-struct TipFunctions {
+struct ExtremityFunctions {
   std::vector<float> average;        ///< AGD: mean distance to evenly spaced samples, smoothed over 1-rings
-  std::vector<Index> average_maxima; ///< S1: tips of whatever sticks out
+  std::vector<Index> average_maxima; ///< S1: extremities of whatever sticks out
   std::vector<float> minimal;        ///< MGD: distance to the nearest vertex of S1
-  std::vector<Index> minimal_maxima; ///< S2: what lies between the tips
+  std::vector<Index> minimal_maxima; ///< S2: what lies between the extremities
 };
 
 /** \brief AGD, S1, MGD and S2 (the paper's names).
@@ -55,8 +56,8 @@ struct TipFunctions {
  * \param[in] separation least
  * distance of two maxima
  */
-TipFunctions
-tipFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, float separation, unsigned threads);
+ExtremityFunctions
+extremityFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, float separation, unsigned threads);
 
 /** \brief Two pairs of partners: h1 and f1 on the source side, h2 and f2 on the target side (the paper's E). */
 struct ExtremePairs {
@@ -89,7 +90,7 @@ pairExtremePoints(const std::array<Index, 4>& points,
 
 /** \brief The function that the parameters choose for pairing. */
 const std::vector<float>&
-pairingFeature(const TipFunctions& functions, PairingFeature feature);
+pairingFeature(const ExtremityFunctions& functions, PairingFeature feature);
 
 } // namespace symmetry
 } // namespace pcl

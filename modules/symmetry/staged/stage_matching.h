@@ -38,15 +38,15 @@ within(const std::vector<Index>& vertices, const std::vector<Region>& regions, R
 std::vector<Index>
 verticesOf(const std::vector<Region>& regions, Region region);
 
-/** \brief Stages 1 and 2: matches the tips (S1 or S2) of each source limb with those of its target limb and keeps the
- * cheapest \a kept per pair of limbs.
+/** \brief Stages 1 and 2: matches the extremities (S1 or S2) of each source limb with those of its target limb and
+ * keeps the cheapest \a kept per pair of limbs.
  */
 std::vector<SymmetricMatch>
-matchTips(const BaseVertices& base,
-          const std::vector<Region>& regions,
-          const std::vector<Index>& tips,
-          std::size_t kept,
-          unsigned threads);
+matchExtremities(const BaseVertices& base,
+                 const std::vector<Region>& regions,
+                 const std::vector<Index>& extremities,
+                 std::size_t kept,
+                 unsigned threads);
 
 /** \brief Stages 3 and 4: matches samples of the source limbs and the centre with all vertices of the target limbs and
  * of the centre's other side, and keeps the cheapest \a kept per mapping.

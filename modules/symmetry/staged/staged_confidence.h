@@ -15,7 +15,7 @@ namespace symmetry {
 
 /** \brief A map of lower confidence is none: bodies without two pairs of limbs, or whose four extreme points are no two
  * pairs (the head and the tail of an animal), end below. */
-constexpr float least_trusted_confidence = 0.2F;
+constexpr float minimum_trusted_confidence = 0.2F;
 
 /** \brief Mean difference of distances that a symmetry leaves alike, share of the diameter.
  *

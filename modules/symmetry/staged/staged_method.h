@@ -16,7 +16,7 @@ namespace symmetry {
  *
  * Every step is that of the paper; where it departs from it the step says so and why. Status TooFewPoints below 20
  * points, NoSymmetry where the surface has fewer than four distinct extreme points, no pair of limbs can be matched or
- * the confidence is below least_trusted_confidence.
+ * the confidence is below minimum_trusted_confidence.
  * \param[in] surface connected, at unit scale
  * \param[in] parameters metric, landmarks, samples (0: 100), embedding_dimensions, pairing, sparse_only, threads
  * \param[in,out] timer told of the steps sampling, geodesics, embedding, hypotheses, matching, dense

@@ -1,7 +1,5 @@
-// Landmarks, the order of their pairs, and the regions around their extremities.
 #include "support/human.h"
-#include "symmetry/sides/limb_regions.h"
-#include "symmetry/sides/side_votes.h"
+#include "symmetry/samples/landmark_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -84,56 +82,6 @@ TEST(LandmarkSurface, ExtremitiesAreFarOutAndComeInPairs)
       return landmarks.distances(partner, other) < 0.1F * landmarks.diameter;
     })) << i;
   }
-}
-
-TEST(PairVotes, SourcesOfTheTrueMapLieOnOneSide)
-{
-  const OrderedPairs pairs = orderPairs(human().landmarks, human().trueMap());
-  ASSERT_GE(pairs.sources.size(), 20U);
-  ASSERT_EQ(pairs.sources.size(), pairs.targets.size());
-  const int side = trueSide(pairs.sources[0]);
-  EXPECT_NE(side, 0);
-  for (std::size_t k = 0; k < pairs.sources.size(); ++k) {
-    EXPECT_EQ(trueSide(pairs.sources[k]), side) << k;
-    EXPECT_EQ(trueSide(pairs.targets[k]), -side) << k;
-  }
-}
-
-TEST(PairVotes, NothingThatMovesNoPairs)
-{
-  SampleMap identity(human().landmarks.size());
-  std::iota(identity.begin(), identity.end(), 0);
-  EXPECT_TRUE(orderPairs(human().landmarks, identity).sources.empty());
-}
-
-TEST(LimbRegions, LimbsOfTheTrueMapHoldOppositeSides)
-{
-  const SampleMap map = human().trueMap();
-  const auto limbs = swappedExtremities(human().landmarks, map, orderPairs(human().landmarks, map));
-  ASSERT_EQ(limbs.size(), 2U);
-  EXPECT_EQ(trueSide(limbs[0].first), trueSide(limbs[1].first));
-  EXPECT_EQ(trueSide(limbs[0].first), -trueSide(limbs[0].second));
-  EXPECT_EQ(trueSide(limbs[1].first), -trueSide(limbs[1].second));
-
-  const std::vector<Region> regions = limbRegions(human().landmarks, limbs);
-  EXPECT_EQ(regions[limbs[0].first], Region::Source1);
-  EXPECT_EQ(regions[limbs[0].second], Region::Target1);
-  EXPECT_EQ(regions[limbs[1].first], Region::Source2);
-  EXPECT_EQ(regions[limbs[1].second], Region::Target2);
-  for (const auto& [source, target] : limbs) {
-    for (Index i = 0; i < 250; ++i) {
-      const float half_way = 0.5F * human().landmarks.distances(source, target);
-      if (human().landmarks.distances(i, source) < half_way || human().landmarks.distances(i, target) < half_way) {
-        EXPECT_NE(regions[i], Region::Centre) << i;
-      }
-    }
-  }
-}
-
-TEST(LimbRegions, WithoutLimbsEverythingIsCentre)
-{
-  const std::vector<Region> regions = limbRegions(human().landmarks, {});
-  EXPECT_EQ(regions, std::vector<Region>(250, Region::Centre));
 }
 
 TEST(ComparableLandmarks, AreThoseThatHaveNoHoleAtEitherEnd)

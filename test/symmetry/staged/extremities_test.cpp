@@ -70,13 +70,14 @@ TEST(EmbeddedGraph, HasTheEdgesOfTheSurfaceAndTheLengthsOfTheEmbedding)
   EXPECT_FLOAT_EQ(edgeLength(embedded, 0, 4), 5.0F);
 }
 
-TEST(MutuallyFarthestVertices, AreTheTipsOfTheLimbs)
+TEST(MutuallyFarthestVertices, AreTheExtremitiesOfTheLimbs)
 {
   const StickFigure figure = stickFigure(7, 9);
   for (const Index start : {0, 3, 12}) {
-    std::vector<Index> tips = mutuallyFarthestVertices(figure.graph, start, 4);
-    std::sort(tips.begin(), tips.end());
-    EXPECT_EQ(tips, (std::vector<Index>{figure.left_hand, figure.right_hand, figure.left_foot, figure.right_foot}));
+    std::vector<Index> extremities = mutuallyFarthestVertices(figure.graph, start, 4);
+    std::sort(extremities.begin(), extremities.end());
+    EXPECT_EQ(extremities,
+              (std::vector<Index>{figure.left_hand, figure.right_hand, figure.left_foot, figure.right_foot}));
   }
 }
 
@@ -98,11 +99,11 @@ TEST(MutuallyFarthestVertices, AreFewerWhereThereAreNoMore)
   EXPECT_EQ(mutuallyFarthestVertices(buildGraph(3, {{0, 1, 0.0F}, {1, 2, 1.0F}}), 0, 4).size(), 2U);
 }
 
-TEST(TipFunctions, AreTheMeanDistanceAndTheDistanceToItsMaxima)
+TEST(ExtremityFunctions, AreTheMeanDistanceAndTheDistanceToItsMaxima)
 {
   const StickFigure figure = stickFigure(7, 9);
   const std::size_t n = figure.graph.size();
-  const TipFunctions functions = tipFunctions(figure.graph, 0, n, 1.0F, 2); // every vertex is a sample
+  const ExtremityFunctions functions = extremityFunctions(figure.graph, 0, n, 1.0F, 2); // every vertex is a sample
   std::vector<Index> everyone(n);
   for (std::size_t v = 0; v < n; ++v) {
     everyone[v] = static_cast<Index>(v);
@@ -118,14 +119,14 @@ TEST(TipFunctions, AreTheMeanDistanceAndTheDistanceToItsMaxima)
   // A fingertip has one neighbour: smoothed, its value is the mean of both.
   EXPECT_NEAR(functions.average[figure.left_hand], 0.5F * (mean(figure.left_hand) + mean(figure.left_hand - 1)), 1e-4F);
 
-  const std::set<Index> tips(functions.average_maxima.begin(), functions.average_maxima.end());
-  EXPECT_EQ(tips.size(), 5U); // with the head
-  for (const Index tip : {figure.left_hand, figure.right_hand, figure.left_foot, figure.right_foot}) {
-    EXPECT_EQ(tips.count(tip), 1U);
+  const std::set<Index> extremities(functions.average_maxima.begin(), functions.average_maxima.end());
+  EXPECT_EQ(extremities.size(), 5U); // with the head
+  for (const Index extremity : {figure.left_hand, figure.right_hand, figure.left_foot, figure.right_foot}) {
+    EXPECT_EQ(extremities.count(extremity), 1U);
   }
   EXPECT_EQ(functions.minimal, distanceField(figure.graph, functions.average_maxima));
   for (const Index v : functions.minimal_maxima) {
-    EXPECT_EQ(tips.count(v), 0U);
+    EXPECT_EQ(extremities.count(v), 0U);
   }
 }
 
@@ -133,7 +134,7 @@ TEST(PairExtremePoints, PairsHandsWithHandsAndFeetWithFeetOnTheirSides)
 {
   const StickFigure figure = stickFigure(7, 12);
   const GeodesicMetric metric(figure.graph);
-  const TipFunctions functions = tipFunctions(figure.graph, 0, 100, 1.0F, 1);
+  const ExtremityFunctions functions = extremityFunctions(figure.graph, 0, 100, 1.0F, 1);
   std::array<Index, 4> points = {figure.left_hand, figure.left_foot, figure.right_hand, figure.right_foot};
   std::sort(points.begin(), points.end());
   do {
@@ -194,7 +195,7 @@ TEST(PairExtremePoints, PutsTheNearerOnesOnOneSide)
 
 TEST(PairingFeature, DependsOnTheSizeOnlyWhereThatIsAskedFor)
 {
-  TipFunctions functions;
+  ExtremityFunctions functions;
   functions.average.assign(100, 1.0F);
   functions.minimal.assign(100, 2.0F);
   EXPECT_EQ(pairingFeature(functions, PairingFeature::AverageGeodesicDistance), functions.average);

@@ -141,19 +141,19 @@ TEST_F(StageMatching, MatchesNothingWithoutCandidatesOrQueries)
 {
   EXPECT_TRUE(matchVertices(base_, {{1, 2, 3}, {}}, Side::Source, FeatureSet::Midpoints, 1).empty());
   EXPECT_TRUE(matchVertices(base_, {{}, {1, 2, 3}}, Side::Source, FeatureSet::Midpoints, 1).empty());
-  EXPECT_TRUE(matchTips(base_, regions(), {at(2, 2)}, 5, 1).empty()); // no tip on the other side
+  EXPECT_TRUE(matchExtremities(base_, regions(), {at(2, 2)}, 5, 1).empty()); // no extremity on the other side
 }
 
-TEST_F(StageMatching, MatchesTipsWithinTheirPairOfLimbs)
+TEST_F(StageMatching, MatchesExtremitiesWithinTheirPairOfLimbs)
 {
-  const std::vector<Index> tips = {at(2, 1),           at(5, 3),           at(1, 8),
-                                   mirrored(at(2, 1)), mirrored(at(5, 3)), mirrored(at(1, 8))};
-  const std::vector<SymmetricMatch> matches = matchTips(base_, regions(), tips, 5, 1);
+  const std::vector<Index> extremities = {at(2, 1),           at(5, 3),           at(1, 8),
+                                          mirrored(at(2, 1)), mirrored(at(5, 3)), mirrored(at(1, 8))};
+  const std::vector<SymmetricMatch> matches = matchExtremities(base_, regions(), extremities, 5, 1);
   ASSERT_EQ(matches.size(), 3U);
   for (const SymmetricMatch& match : matches) {
     EXPECT_EQ(match.target, mirrored(match.source));
   }
-  EXPECT_EQ(matchTips(base_, regions(), tips, 1, 1).size(), 2U); // one per pair of limbs
+  EXPECT_EQ(matchExtremities(base_, regions(), extremities, 1, 1).size(), 2U); // one per pair of limbs
 }
 
 TEST_F(StageMatching, MatchesSamplesOfLimbsAndCentreAcrossTheSides)

@@ -71,8 +71,8 @@ TEST(DistortionConfidence, FallsWithTheDistortion)
 {
   EXPECT_EQ(distortionConfidence(0.0F), 1.0F);
   EXPECT_NEAR(distortionConfidence(0.05F), std::exp(-1.0F), 1e-6F);
-  EXPECT_GT(distortionConfidence(0.04F), least_trusted_confidence);
-  EXPECT_LT(distortionConfidence(0.1F), least_trusted_confidence);
+  EXPECT_GT(distortionConfidence(0.04F), minimum_trusted_confidence);
+  EXPECT_LT(distortionConfidence(0.1F), minimum_trusted_confidence);
 }
 
 TEST(VertexConfidences, RankExactMatchesFirst)

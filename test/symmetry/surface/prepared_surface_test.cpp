@@ -295,7 +295,7 @@ TEST(PreparedSurfaceRepresentatives, OfRepeatedPointsAreTheFirstOnes)
   }
 }
 
-TEST(PreparedSurfaceRepresentatives, AreMissingForStrayPointsHoweverFarAway)
+TEST(PreparedSurfaceRepresentatives, AreMissingForOutliersHoweverFarAway)
 {
   const std::vector<Vector3> sphere = sphereCloud(1500, cloud_radius);
   const PreparedSurface expected = prepareCloud(sphere);
@@ -309,7 +309,7 @@ TEST(PreparedSurfaceRepresentatives, AreMissingForStrayPointsHoweverFarAway)
   }
 }
 
-TEST(PreparedSurfaceRepresentatives, AStrayPointFarAwayCostsNoPrecision)
+TEST(PreparedSurfaceRepresentatives, AnOutlierFarAwayCostsNoPrecision)
 {
   const std::vector<Vector3> sphere = sphereCloud(1500, cloud_radius);
   const PreparedSurface expected = prepareCloud(sphere);

@@ -5,6 +5,7 @@
 #include "base/vector_math.h"
 #include "cloud/local_delaunay.h"
 #include "symmetry/samples/hole_cells.h"
+#include "symmetry/samples/sample_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,8 @@
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr CellSettings settings{};
 
 /** Adjacent cells, joined by the length of the shortest way from sample to sample that crosses their border once. */
 SurfaceGraph
@@ -33,10 +36,10 @@ joinCells(const SurfaceGraph& graph, const FarthestPointSamples& cells)
 float
 cotangent(const Vector3& a, const Vector3& b)
 {
-  constexpr float bound = 5.0F;
   const float sine = norm(cross(a, b));
   const float cosine = dot(a, b);
-  return sine * bound <= std::abs(cosine) ? std::copysign(bound, cosine) : cosine / sine;
+  return sine * settings.cotangent_bound <= std::abs(cosine) ? std::copysign(settings.cotangent_bound, cosine)
+                                                             : cosine / sine;
 }
 
 /** Finite volumes: for a function that is linear between two samples, the cotangent flow over all edges that cross the
@@ -65,9 +68,8 @@ cellConductances(const PreparedSurface& surface, const CoarseSurface& coarse)
       add_flow(u, v, 0.5F * cotangent(surface.points[u] - apex, surface.points[v] - apex));
     }
   }
-  constexpr float least = 0.01F; // keeps connected what is connected
   for (float& c : conductances) {
-    c = std::max(c, least);
+    c = std::max(c, settings.minimum_conductance);
   }
   return conductances;
 }
@@ -121,9 +123,8 @@ triangulateCells(CoarseSurface& coarse)
   coarse.triangles = std::move(laplacian.triangles);
   coarse.areas = std::move(laplacian.areas);
   coarse.conductances = std::move(laplacian.conductances);
-  constexpr float least = 0.01F; // keeps connected what is connected
   for (float& c : coarse.conductances) {
-    c = std::max(c, least);
+    c = std::max(c, settings.minimum_conductance);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "base/bounding_box.h"
 #include "base/tangent_frame.h"
 #include "base/vector_math.h"
+#include "symmetry/samples/sample_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,8 @@
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr HoleSettings settings{};
 
 /** How a point lies: in the surface, perhaps on a rim, or surely. */
 enum class Place : char { Inside, PerhapsOnRim, OnRim };
@@ -55,13 +58,13 @@ widestGap(const PreparedSurface& surface, std::size_t v, std::vector<float>& ang
 std::vector<Place>
 placesInCloud(const PreparedSurface& surface)
 {
-  constexpr float almost_half_a_turn = 2.6F;
-  constexpr float a_third = 2.0F; // of a turn: so where the rim bends inwards, but also between random points
   std::vector<Place> places(surface.size());
   std::vector<float> angles;
   for (std::size_t v = 0; v < surface.size(); ++v) {
     const float gap = widestGap(surface, v, angles);
-    places[v] = gap > almost_half_a_turn ? Place::OnRim : gap > a_third ? Place::PerhapsOnRim : Place::Inside;
+    places[v] = gap > settings.rim_gap        ? Place::OnRim
+                : gap > settings.possible_gap ? Place::PerhapsOnRim
+                                              : Place::Inside;
   }
   return places;
 }
@@ -100,22 +103,19 @@ extentOf(const std::vector<Vector3>& points, const std::vector<Index>& members)
 std::vector<char>
 cellsAtHoles(const PreparedSurface& surface, const FarthestPointSamples& cells, float spacing)
 {
-  constexpr float mesh_crack = 2.0F;  // cells
-  constexpr float cloud_crack = 5.0F; // where parts touch, edges are left out, and rims appear
-  constexpr float whole_side = 0.3F;  // of the longest side of the surface
   std::vector<char> at_hole(cells.vertices.size(), 0);
   if (surface.summary.smoothing_radius > 0.0F) {
     return at_hole; // what smoothing leaves of noise has rims all over
   }
   std::vector<Place> places = surface.is_cloud ? placesInCloud(surface) : placesOnMesh(surface);
-  const float least = (surface.is_cloud ? cloud_crack : mesh_crack) * spacing;
+  const float minimum_extent = (surface.is_cloud ? settings.cloud_crack : settings.mesh_crack) * spacing;
   for (std::size_t v = 0; v < places.size(); ++v) {
     if (places[v] != Place::OnRim) {
       continue;
     }
     const std::vector<Index> rim = takeRim(surface.graph, static_cast<Index>(v), places);
     const float extent = extentOf(surface.points, rim);
-    if (extent >= least && extent <= whole_side) {
+    if (extent >= minimum_extent && extent <= settings.whole_side) {
       for (const Index w : rim) {
         at_hole[cells.owner[w]] = 1;
       }

@@ -2,6 +2,7 @@
 
 #include "base/vector_math.h"
 #include "geodesic/shortest_paths.h"
+#include "symmetry/samples/sample_settings.h"
 
 #include <algorithm>
 #include <numeric>
@@ -9,6 +10,8 @@
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr LandmarkSettings settings{};
 
 /** Nearest landmark of every sample; ties go to the lower landmark. */
 std::vector<Index>
@@ -28,7 +31,7 @@ nearestOfSamples(const DistanceFields& fields)
 } // namespace
 
 std::vector<Index>
-extremitiesOf(const LandmarkSurface& landmarks, float separation, std::size_t most)
+extremitiesOf(const LandmarkSurface& landmarks, float separation, std::size_t maximum_count)
 {
   std::vector<Index> order(landmarks.size());
   std::iota(order.begin(), order.end(), 0);
@@ -42,7 +45,7 @@ extremitiesOf(const LandmarkSurface& landmarks, float separation, std::size_t mo
           landmarks.distances(candidate, static_cast<Eigen::Index>(other)) >= separation * landmarks.diameter ||
           landmarks.average_distance[other] <= landmarks.average_distance[candidate];
     }
-    if (is_maximum && extremities.size() < most) {
+    if (is_maximum && extremities.size() < maximum_count) {
       extremities.push_back(candidate);
     }
   }
@@ -52,14 +55,13 @@ extremitiesOf(const LandmarkSurface& landmarks, float separation, std::size_t mo
 std::vector<char>
 comparableLandmarks(const LandmarkSurface& landmarks, const std::vector<Index>& map)
 {
-  constexpr std::size_t fewest = 5; // a fifth
   std::vector<char> comparable(map.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < map.size(); ++i) {
     comparable[i] = landmarks.at_hole[i] == 0 && landmarks.at_hole[map[i]] == 0 ? 1 : 0;
     count += static_cast<std::size_t>(comparable[i]);
   }
-  if (fewest * count < map.size()) {
+  if (settings.comparable_part * count < map.size()) {
     std::fill(comparable.begin(), comparable.end(), 1);
   }
   return comparable;
@@ -119,9 +121,7 @@ makeLandmarkSurface(const CoarseSurface& surface, std::size_t landmarks, Metric 
   result.triangles = dualTriangles(surface.triangles, result.nearest_landmark);
   const Eigen::VectorXf mean = result.distances.rowwise().mean();
   result.average_distance.assign(mean.data(), mean.data() + n);
-  constexpr float separation = 1.0F / 15.0F;
-  constexpr std::size_t most = 10;
-  result.extremities = extremitiesOf(result, separation, most);
+  result.extremities = extremitiesOf(result, settings.separation, settings.maximum_extremities);
   return result;
 }
 

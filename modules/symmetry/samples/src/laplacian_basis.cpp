@@ -81,8 +81,8 @@ laplacianBasis(const CoarseSurface& surface, int count)
   LaplacianBasis basis;
   basis.masses = Eigen::Map<const Eigen::VectorXf>(surface.areas.data(), static_cast<Eigen::Index>(surface.size()));
   // A cell without area (a point on no face) still needs some mass.
-  const float least = 1e-3F / static_cast<float>(surface.size());
-  basis.masses = basis.masses.cwiseMax(least);
+  const float minimum_mass = 1e-3F / static_cast<float>(surface.size());
+  basis.masses = basis.masses.cwiseMax(minimum_mass);
   const Eigen::VectorXd inverse_root_mass = basis.masses.cast<double>().cwiseSqrt().cwiseInverse();
   const SparseMatrix laplacian = normalizedLaplacian(surface, inverse_root_mass);
 

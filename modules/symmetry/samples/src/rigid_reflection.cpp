@@ -2,6 +2,7 @@
 
 #include "base/tangent_frame.h"
 #include "base/vector_math.h"
+#include "symmetry/samples/sample_settings.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -12,6 +13,8 @@
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr SlideSettings settings{};
 
 Eigen::Vector3f
 toEigen(const Vector3& v)
@@ -99,7 +102,6 @@ private:
 void
 slideAlongPlanes(const std::vector<OrientedMatch>& matches, const Vector3& centre, RigidReflection& reflection)
 {
-  constexpr float stiffness = 0.1F;
   MotionEquations equations;
   Eigen::Matrix3f moments = Eigen::Matrix3f::Zero();
   float total = 0.0F;
@@ -110,12 +112,11 @@ slideAlongPlanes(const std::vector<OrientedMatch>& matches, const Vector3& centr
     moments += match.weight * toEigen(arm) * toEigen(arm).transpose();
     total += match.weight;
   }
-  equations.addRest(moments, total, stiffness);
+  equations.addRest(moments, total, settings.stiffness);
   const Eigen::Matrix<float, 6, 1> motion = equations.solve();
   const Eigen::Vector3f turn = motion.head<3>();
   const float angle = turn.norm();
-  constexpr float largest = 1.0F; // beyond it the linearisation means nothing
-  if (!motion.allFinite() || angle > largest) {
+  if (!motion.allFinite() || angle > settings.maximum_angle) {
     return;
   }
   Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/tangent_frame.h"
 #include "base/vector_math.h"
+#include "symmetry/samples/sample_settings.h"
 
 #include <Eigen/LU>
 
@@ -11,6 +12,8 @@
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr InterpolationSettings settings{};
 
 /** Weights of a sample and its neighbours at one point. */
 void
@@ -33,15 +36,14 @@ fitWeights(const CoarseSurface& coarse,
   Eigen::Matrix<float, 3, Eigen::Dynamic> design(3, static_cast<Eigen::Index>(count));
   for (std::size_t i = 0; i < count; ++i) {
     const Vector3 offset = (1.0F / radius) * (coarse.points[samples[i]] - point);
-    const float weight = std::exp(-2.0F * dot(offset, offset)) + 1e-4F;
+    const float weight = std::exp(-settings.falloff * dot(offset, offset)) + 1e-4F;
     const Eigen::Vector3f row(1.0F, dot(offset, u), dot(offset, v));
     normal_matrix += weight * row * row.transpose();
     design.col(static_cast<Eigen::Index>(i)) = weight * row;
   }
-  constexpr float damping = 0.02F;
   const float trace = normal_matrix(0, 0);
-  normal_matrix(1, 1) += damping * trace;
-  normal_matrix(2, 2) += damping * trace;
+  normal_matrix(1, 1) += settings.damping * trace;
+  normal_matrix(2, 2) += settings.damping * trace;
   Eigen::Map<Eigen::RowVectorXf>(weights, static_cast<Eigen::Index>(count)) = normal_matrix.inverse().row(0) * design;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/tangent_frame.h"
 #include "base/vector_math.h"
+#include "symmetry/samples/sample_settings.h"
 
 #include <Eigen/LU>
 
@@ -10,6 +11,8 @@
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr DescriptorSettings settings{};
 
 /** Scales a part to unit variance times its weight, so that the weights mean the same on every surface. */
 void
@@ -79,16 +82,16 @@ orientationFeature(const CoarseSurface& surface, const Eigen::MatrixXf& coordina
   const Eigen::VectorXf lengths = feature.rowwise().norm();
   const float typical = lengths.mean();
   if (typical > 0.0F) {
-    feature = (lengths.array() + 0.3F * typical).inverse().matrix().asDiagonal() * feature;
+    feature = (lengths.array() + settings.row_floor * typical).inverse().matrix().asDiagonal() * feature;
   }
   return feature;
 }
 
-/** Height of each sample over the surface smoothed by 2, 6 and 16 rounds of area-weighted averaging. */
+/** Height of each sample over the surface smoothed by several rounds of area-weighted averaging. */
 Eigen::MatrixXf
 curvatureFeature(const CoarseSurface& surface)
 {
-  constexpr std::array<int, 3> rounds{2, 6, 16};
+  constexpr std::array<int, 3> rounds = settings.smoothing;
   Eigen::MatrixXf feature(static_cast<Eigen::Index>(surface.size()), static_cast<Eigen::Index>(rounds.size()));
   std::vector<Vector3> smooth = surface.points;
   std::vector<Vector3> next(smooth.size());

@@ -2,6 +2,7 @@
 
 #include "symmetry/sides/curve_thinning.h"
 #include "symmetry/sides/mesh_contour.h"
+#include "symmetry/sides/side_settings.h"
 
 #include <algorithm>
 #include <numeric>
@@ -10,16 +11,15 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr double shortest_share = 0.05;
+constexpr AxisSettings settings{};
 
 /** Takes out repetitions, spikes, small loops and detours around a single vertex. */
 void
 straighten(const SurfaceGraph& graph, Polyline& line)
 {
-  constexpr std::ptrdiff_t longest_loop = 8;
   std::vector<Index> points;
   for (const Index v : line.points) {
-    const auto recent = points.end() - std::min<std::ptrdiff_t>(longest_loop, points.end() - points.begin());
+    const auto recent = points.end() - std::min<std::ptrdiff_t>(settings.longest_loop, points.end() - points.begin());
     const auto again = std::find(recent, points.end(), v);
     if (again != points.end()) {
       points.erase(again + 1, points.end());
@@ -71,7 +71,7 @@ longestFirst(const SurfaceGraph& graph, std::vector<Polyline>& lines)
                    [&lengths](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
   std::vector<Polyline> sorted;
   for (const std::size_t i : order) {
-    if (lines[i].points.size() > 1 && lengths[i] >= shortest_share * lengths[order.front()]) {
+    if (lines[i].points.size() > 1 && lengths[i] >= settings.shortest_share * lengths[order.front()]) {
       sorted.push_back(std::move(lines[i]));
     }
   }

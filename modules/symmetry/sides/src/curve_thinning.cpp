@@ -2,6 +2,7 @@
 
 #include "base/renumbering.h"
 #include "geodesic/shortest_paths.h"
+#include "symmetry/sides/side_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +11,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-// In units of the band's half width, which is about the reach of a vertex's neighbours: a tube around a path that is
-// not quite in the middle has to cover the whole width, and the free ball around an end has to be larger than the tube.
-constexpr float tube_radius = 2.5F;
-constexpr float end_radius = 4.0F;
+constexpr AxisSettings settings{};
 
 /** Part of a graph, its vertices renumbered. */
 struct Subgraph {
@@ -125,13 +123,13 @@ private:
   {
     const Index p = path.front();
     const Index q = path.back();
-    if (from_p[q] <= 2.0F * end_radius * reach_) {
+    if (from_p[q] <= 2.0F * settings.end_radius * reach_) {
       return {};
     }
     const std::vector<float> from_q = distanceField(plain, q);
     std::vector<Index> core;
     for (const Index v : path) {
-      if (std::min(from_p[v], from_q[v]) > end_radius * reach_) {
+      if (std::min(from_p[v], from_q[v]) > settings.end_radius * reach_) {
         core.push_back(v);
       }
     }
@@ -140,7 +138,7 @@ private:
     Index first = no_index;
     Index last = no_index;
     for (std::size_t i = 0; i < part.size(); ++i) {
-      if (from_core[i] > tube_radius * reach_) {
+      if (from_core[i] > settings.tube_radius * reach_) {
         first = static_cast<Index>(i) == p ? static_cast<Index>(open.size()) : first;
         last = static_cast<Index>(i) == q ? static_cast<Index>(open.size()) : last;
         open.push_back(static_cast<Index>(i));
@@ -163,7 +161,7 @@ private:
   {
     std::vector<Index> covered;
     for (std::size_t i = 0; i < part.size(); ++i) {
-      if (from_curve[i] <= tube_radius * reach_) {
+      if (from_curve[i] <= settings.tube_radius * reach_) {
         covered.push_back(part[i]);
       }
     }
@@ -183,7 +181,6 @@ private:
 std::vector<Polyline>
 bandCurves(const SurfaceGraph& graph, const std::vector<float>& side_function, const std::vector<Side>& sides)
 {
-  constexpr std::size_t most_curves = 32; // what is left by then are crumbs
   std::vector<Index> band;
   float largest = 0.0F;
   for (std::size_t v = 0; v < graph.size(); ++v) {
@@ -198,7 +195,7 @@ bandCurves(const SurfaceGraph& graph, const std::vector<float>& side_function, c
   }
   BandThinner thinner(graph, band, factor);
   std::vector<Polyline> curves;
-  while (!thinner.done() && curves.size() < most_curves) {
+  while (!thinner.done() && curves.size() < settings.maximum_curves) {
     curves.push_back(thinner.next());
   }
   return curves;

@@ -1,10 +1,14 @@
 #include "symmetry/sides/limb_regions.h"
 
+#include "symmetry/sides/side_settings.h"
+
 #include <algorithm>
 
 namespace pcl {
 namespace symmetry {
 namespace {
+
+constexpr LimbSettings settings{};
 
 /** Positive where most ordered pairs have their source end nearer. */
 float
@@ -22,15 +26,14 @@ sideOfLandmark(const LandmarkSurface& landmarks, const OrderedPairs& pairs, Inde
 std::vector<std::pair<Index, Index>>
 swappedExtremities(const LandmarkSurface& landmarks, const SampleMap& map, const OrderedPairs& pairs)
 {
-  constexpr float apart = 0.15F; // of the diameter: nearer ends belong to one limb, or to none
   std::vector<std::pair<Index, Index>> limbs;
   for (const Index extremity : landmarks.extremities) {
     const Index partner = map[extremity];
     const bool known = std::any_of(limbs.begin(), limbs.end(), [&](const std::pair<Index, Index>& limb) {
       return std::min(landmarks.distances(extremity, limb.first), landmarks.distances(extremity, limb.second)) <
-             apart * landmarks.diameter;
+             settings.separation * landmarks.diameter;
     });
-    if (!known && landmarks.distances(extremity, partner) >= apart * landmarks.diameter) {
+    if (!known && landmarks.distances(extremity, partner) >= settings.separation * landmarks.diameter) {
       limbs.emplace_back(extremity, partner);
       if (sideOfLandmark(landmarks, pairs, extremity) < 0.0F) {
         std::swap(limbs.back().first, limbs.back().second);
@@ -40,7 +43,7 @@ swappedExtremities(const LandmarkSurface& landmarks, const SampleMap& map, const
   std::stable_sort(limbs.begin(), limbs.end(), [&](const auto& a, const auto& b) {
     return landmarks.distances(a.first, a.second) > landmarks.distances(b.first, b.second);
   });
-  limbs.resize(std::min<std::size_t>(limbs.size(), 2));
+  limbs.resize(std::min<std::size_t>(limbs.size(), settings.pairs));
   return limbs;
 }
 
@@ -55,9 +58,9 @@ limbRegions(const LandmarkSurface& landmarks, const std::vector<std::pair<Index,
     float nearest = 1.0F;
     for (std::size_t k = 0; k < limbs.size(); ++k) {
       const float half_way = 0.5F * landmarks.distances(limbs[k].first, limbs[k].second);
-      const std::array<Index, 2> ends{limbs[k].first, limbs[k].second};
+      const std::array<Index, 2> extremities{limbs[k].first, limbs[k].second};
       for (std::size_t side = 0; side < 2; ++side) {
-        const float relative = landmarks.distances(row, ends[side]) / half_way;
+        const float relative = landmarks.distances(row, extremities[side]) / half_way;
         if (relative < nearest) {
           nearest = relative;
           regions[i] = names[k][side];

@@ -3,6 +3,7 @@
 #include "base/vector_math.h"
 #include "geodesic/farthest_point_sampling.h"
 #include "geodesic/shortest_paths.h"
+#include "symmetry/sides/side_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,8 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
+constexpr QualitySettings settings{};
+
 /** Share of the matched points v with |v - m (m (v))| below 2 % of the diameter. */
 float
 involutionShare(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter, std::size_t matched)
@@ -18,7 +21,8 @@ involutionShare(const PreparedSurface& surface, const std::vector<Index>& partne
   std::size_t close = 0;
   for (std::size_t v = 0; v < partners.size(); ++v) {
     const Index back = partners[v] == no_index ? no_index : partners[partners[v]];
-    if (back != no_index && distance(surface.points[v], surface.points[back]) < 0.02F * diameter) {
+    if (back != no_index &&
+        distance(surface.points[v], surface.points[back]) < settings.involution_tolerance * diameter) {
       ++close;
     }
   }
@@ -43,7 +47,7 @@ measureFaces(const PreparedSurface& surface, const std::vector<Index>& partners,
     const Vector3& b = surface.points[image[1]];
     const Vector3& c = surface.points[image[2]];
     const float longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    if (longest > 0.05F * diameter) {
+    if (longest > settings.torn_side * diameter) {
       ++torn;
     }
     else if (dot(cross(b - a, c - a), surface.normals[image[0]]) > 0.0F) {
@@ -60,10 +64,9 @@ measureFaces(const PreparedSurface& surface, const std::vector<Index>& partners,
 float
 isometryError(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter, unsigned threads)
 {
-  constexpr std::size_t landmarks = 16;
   std::vector<Index> sources;
   std::vector<Index> images;
-  for (const Index landmark : farthestPointSampling(surface.graph, 0, landmarks).vertices) {
+  for (const Index landmark : farthestPointSampling(surface.graph, 0, settings.landmarks).vertices) {
     if (partners[landmark] != no_index) {
       sources.push_back(landmark);
       images.push_back(partners[landmark]);

@@ -1,5 +1,7 @@
 #include "symmetry/sides/side_votes.h"
 
+#include "symmetry/sides/side_settings.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr std::size_t most_pairs = 48;
+constexpr VoteSettings settings{};
 
 /** Landmarks that move at least half as far as the one that moves most, evenly spread: landmarks come in the order of
  * farthest-point sampling. Of two landmarks that are each other's partners only the first is taken. */
@@ -22,8 +24,8 @@ farMovers(const LandmarkSurface& landmarks, const SampleMap& map)
   }
   std::vector<Index> movers;
   std::vector<char> taken(map.size(), 0);
-  for (const float share : {0.5F, 0.25F, 0.1F}) {
-    for (std::size_t i = 0; i < map.size() && movers.size() < most_pairs; ++i) {
+  for (const float share : settings.moved) {
+    for (std::size_t i = 0; i < map.size() && movers.size() < settings.maximum_pairs; ++i) {
       const float moved = landmarks.distances(static_cast<Eigen::Index>(i), map[i]);
       if (taken[i] == 0 && moved > 0.0F && moved >= share * farthest) {
         taken[i] = 1;

@@ -1,5 +1,7 @@
 #include "symmetry/sides/sides.h"
 
+#include "symmetry/sides/side_settings.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr double smallest_patch_share = 0.02;
+constexpr SideSettings settings{};
 
 /** A value without a side (zero) takes the sign of most of its neighbours; the source side where they are as many. */
 std::vector<float>
@@ -79,7 +81,7 @@ specksOfOneSign(const Patches& patches, std::size_t vertices)
   }
   const auto is_speck = [&](std::size_t i) {
     return patches.sizes[i] < largest[patches.positive[i] ? 1 : 0] &&
-           static_cast<double>(patches.sizes[i]) < smallest_patch_share * static_cast<double>(vertices);
+           static_cast<double>(patches.sizes[i]) < settings.speck_share * static_cast<double>(vertices);
   };
   // One sign at a time, that of the smallest speck first: a speck within a speck must not turn together with it.
   std::size_t smallest = vertices;
@@ -102,7 +104,6 @@ specksOfOneSign(const Patches& patches, std::size_t vertices)
 std::vector<float>
 sideFunction(const DistanceFields& source_fields, const DistanceFields& target_fields)
 {
-  constexpr float weight_of_difference = 0.49F;
   const std::size_t n = source_fields.columns;
   std::vector<float> votes(n, 0.0F);
   std::vector<float> differences(n, 0.0F);
@@ -122,7 +123,8 @@ sideFunction(const DistanceFields& source_fields, const DistanceFields& target_f
   }
   for (std::size_t v = 0; v < n; ++v) {
     if (pairs[v] > 0.0F) {
-      votes[v] = (votes[v] + weight_of_difference * differences[v] / pairs[v]) / (pairs[v] + weight_of_difference);
+      votes[v] =
+          (votes[v] + settings.difference_weight * differences[v] / pairs[v]) / (pairs[v] + settings.difference_weight);
     }
   }
   return votes;
@@ -131,9 +133,8 @@ sideFunction(const DistanceFields& source_fields, const DistanceFields& target_f
 std::vector<float>
 absorbSpecks(const SurfaceGraph& graph, const std::vector<float>& side_function)
 {
-  constexpr int most_rounds = 16; // specks within specks are rarely nested deeper than twice
   std::vector<float> values = withoutZeros(graph, side_function);
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < settings.maximum_rounds; ++round) {
     const Patches patches = findPatches(graph, values);
     const std::vector<bool> specks = specksOfOneSign(patches, graph.size());
     if (std::find(specks.begin(), specks.end(), true) == specks.end()) {

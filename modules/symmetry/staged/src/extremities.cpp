@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "geodesic/farthest_point_sampling.h"
 #include "geodesic/vertex_functions.h"
+#include "symmetry/staged/staged_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr int smoothing_rounds = 1;
-constexpr float clear_step_share = 0.05F;              // poses change AGD by 1 to 3 %
-constexpr std::size_t points_of_large_surface = 30000; // the paper's limit between AGD and MGD
+constexpr ExtremitySettings settings{};
 
 Index
 farthest(const std::vector<float>& field)
@@ -98,10 +97,9 @@ embeddedGraph(const SurfaceGraph& graph, const SpectralEmbedding& embedding)
 std::vector<Index>
 mutuallyFarthestVertices(const SurfaceGraph& graph, Index start, std::size_t count)
 {
-  constexpr int most_rounds = 4;
   std::vector<Index> points = farthestPointSampling(graph, farthest(distanceField(graph, start)), count).vertices;
   bool moved = points.size() > 1;
-  for (int round = 0; moved && round < most_rounds; ++round) {
+  for (int round = 0; moved && round < settings.maximum_rounds; ++round) {
     moved = false;
     for (Index& point : points) {
       std::vector<Index> others;
@@ -117,13 +115,13 @@ mutuallyFarthestVertices(const SurfaceGraph& graph, Index start, std::size_t cou
   return points;
 }
 
-TipFunctions
-tipFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, float separation, unsigned threads)
+ExtremityFunctions
+extremityFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, float separation, unsigned threads)
 {
-  TipFunctions functions;
+  ExtremityFunctions functions;
   const FarthestPointSamples sampling = farthestPointSampling(embedded, start, samples);
   functions.average = smoothOverRings(
-      embedded, meanField(distanceFields(embedded, sampling.vertices, threads), threads), smoothing_rounds);
+      embedded, meanField(distanceFields(embedded, sampling.vertices, threads), threads), settings.smoothing_rounds);
   functions.average_maxima =
       separated(embedded, localMaxima(embedded, functions.average), functions.average, separation);
   functions.minimal = distanceField(embedded, functions.average_maxima);
@@ -133,9 +131,9 @@ tipFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, flo
 }
 
 const std::vector<float>&
-pairingFeature(const TipFunctions& functions, PairingFeature feature)
+pairingFeature(const ExtremityFunctions& functions, PairingFeature feature)
 {
-  const bool large = functions.average.size() >= points_of_large_surface;
+  const bool large = functions.average.size() >= settings.points_of_large_surface;
   return feature == PairingFeature::MinimalGeodesicDistance || (feature == PairingFeature::BySurfaceSize && large)
              ? functions.minimal
              : functions.average;
@@ -153,7 +151,7 @@ pairExtremePoints(const std::array<Index, 4>& points,
             [&feature](Index a, Index b) { return feature[a] != feature[b] ? feature[a] < feature[b] : a < b; });
   const DistanceFields fields = metric.fields({sorted.begin(), sorted.end()}, threads);
 
-  const float smallest_step = clear_step_share * feature[sorted.back()];
+  const float smallest_step = settings.clear_step * feature[sorted.back()];
   const auto step = [&](std::size_t i) {
     return feature[sorted[i + 1]] - feature[sorted[i]];
   };

@@ -85,15 +85,15 @@ verticesOf(const std::vector<Region>& regions, Region region)
 }
 
 std::vector<SymmetricMatch>
-matchTips(const BaseVertices& base,
-          const std::vector<Region>& regions,
-          const std::vector<Index>& tips,
-          std::size_t kept,
-          unsigned threads)
+matchExtremities(const BaseVertices& base,
+                 const std::vector<Region>& regions,
+                 const std::vector<Index>& extremities,
+                 std::size_t kept,
+                 unsigned threads)
 {
   std::vector<SymmetricMatch> matches;
   for (const RegionPair& limbs : limb_pairs) {
-    const Matchable vertices{within(tips, regions, limbs.source), within(tips, regions, limbs.target)};
+    const Matchable vertices{within(extremities, regions, limbs.source), within(extremities, regions, limbs.target)};
     append(matches,
            cheapest(matchVertices(base, vertices, Side::Source, FeatureSet::OwnEndpointsAndMidpoints, threads), kept));
   }

@@ -1,11 +1,17 @@
 #include "symmetry/staged/staged_confidence.h"
 
 #include "base/vector_math.h"
+#include "symmetry/staged/staged_settings.h"
 
 #include <cmath>
 
 namespace pcl {
 namespace symmetry {
+namespace {
+
+constexpr StagedConfidenceSettings settings{};
+
+} // namespace
 
 float
 isometricDistortion(const BaseVertices& base, const std::vector<SymmetricMatch>& matches, float diameter)
@@ -27,13 +33,12 @@ isometricDistortion(const BaseVertices& base, const std::vector<SymmetricMatch>&
 float
 involutionShare(const std::vector<Vector3>& points, const std::vector<Index>& partners, float diameter)
 {
-  constexpr float tolerance = 0.02F;
   std::size_t matched = 0;
   std::size_t returned = 0;
   for (std::size_t v = 0; v < partners.size(); ++v) {
     if (partners[v] != no_index && partners[partners[v]] != no_index) {
       ++matched;
-      returned += distance(points[v], points[partners[partners[v]]]) < tolerance * diameter ? 1 : 0;
+      returned += distance(points[v], points[partners[partners[v]]]) < settings.involution_tolerance * diameter ? 1 : 0;
     }
   }
   return matched == 0 ? 0.0F : static_cast<float>(returned) / static_cast<float>(matched);
@@ -42,8 +47,7 @@ involutionShare(const std::vector<Vector3>& points, const std::vector<Index>& pa
 float
 distortionConfidence(float distortion)
 {
-  constexpr float tolerable_distortion = 0.05F;
-  const float relative = distortion / tolerable_distortion;
+  const float relative = distortion / settings.tolerable_distortion;
   return std::exp(-relative * relative);
 }
 
@@ -51,8 +55,6 @@ std::vector<float>
 vertexConfidences(
     const std::vector<Vector3>& points, const DenseMap& map, std::size_t features, float diameter, float map_confidence)
 {
-  constexpr float feature_scale = 0.15F;
-  constexpr float return_scale = 0.1F;
   std::vector<float> confidences(map.partners.size(), 0.0F);
   for (std::size_t v = 0; v < confidences.size(); ++v) {
     const Index partner = map.partners[v];
@@ -61,7 +63,7 @@ vertexConfidences(
     }
     const float off = std::sqrt(map.dissimilarities[v] / static_cast<float>(features));
     const float back = distance(points[v], points[map.partners[partner]]) / diameter;
-    confidences[v] = map_confidence * std::exp(-off / feature_scale - back / return_scale);
+    confidences[v] = map_confidence * std::exp(-off / settings.feature_scale - back / settings.return_scale);
   }
   return confidences;
 }

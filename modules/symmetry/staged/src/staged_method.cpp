@@ -10,6 +10,7 @@
 #include "symmetry/staged/spectral_embedding.h"
 #include "symmetry/staged/stage_matching.h"
 #include "symmetry/staged/staged_confidence.h"
+#include "symmetry/staged/staged_settings.h"
 
 #include <algorithm>
 #include <memory>
@@ -18,15 +19,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-// The paper's numbers.
-constexpr std::size_t average_samples = 100; // for AGD
-constexpr std::size_t default_samples = 100; // for stages 3 and 4
-constexpr std::size_t kept_tips = 5;         // stages 1 and 2, per pair of limbs
-constexpr std::size_t kept_in_stage_3 = 20;  // per mapping of regions
-constexpr std::size_t kept_in_stage_4 = 30;
-
-constexpr std::size_t fewest_points = 20;
-constexpr float tip_separation = 0.03F; // share of the diameter; about the width of two fingers
+constexpr StageSettings settings{};
 
 std::unique_ptr<SurfaceMetric>
 makeMetric(const PreparedSurface& surface, Metric metric)
@@ -86,25 +79,27 @@ withoutSameSide(std::vector<SymmetricMatch> matches, const std::vector<float>& s
  */
 std::vector<SymmetricMatch>
 matchInStages(BaseVertices& base,
-              const TipFunctions& tips,
+              const ExtremityFunctions& extremities,
               const std::vector<Region>& regions,
               const std::vector<Index>& samples,
               unsigned threads)
 {
-  for (const std::vector<Index>* stage_tips : {&tips.average_maxima, &tips.minimal_maxima}) { // stages 1 and 2
-    std::vector<SymmetricMatch> matches = matchTips(base, regions, *stage_tips, kept_tips, threads);
+  for (const std::vector<Index>* stage_extremities :
+       {&extremities.average_maxima, &extremities.minimal_maxima}) { // stages 1 and 2
+    std::vector<SymmetricMatch> matches =
+        matchExtremities(base, regions, *stage_extremities, settings.kept_extremities, threads);
     base.addPairs(matches);
   }
 
   std::vector<float> sides = sideFunction(base.sourceFields(), base.targetFields());
   std::vector<SymmetricMatch> third =
-      matchSamples(base, regions, sides, samples, FeatureSet::Midpoints, kept_in_stage_3, threads);
+      matchSamples(base, regions, sides, samples, FeatureSet::Midpoints, settings.kept_in_stage_3, threads);
   base.addPairs(third);
 
   sides = sideFunction(base.sourceFields(), base.targetFields());
-  return withoutSameSide(
-      matchSamples(base, regions, sides, samples, FeatureSet::OwnEndpointsAndMidpoints, kept_in_stage_4, threads),
-      sides);
+  return withoutSameSide(matchSamples(base, regions, sides, samples, FeatureSet::OwnEndpointsAndMidpoints,
+                                      settings.kept_in_stage_4, threads),
+                         sides);
 }
 
 MapEstimate
@@ -112,8 +107,8 @@ tooFewPoints(std::size_t points)
 {
   MapEstimate estimate;
   estimate.status = SymmetryStatus::TooFewPoints;
-  estimate.message = "the staged method needs " + std::to_string(fewest_points) + " connected points, there are " +
-                     std::to_string(points);
+  estimate.message = "the staged method needs " + std::to_string(settings.minimum_points) +
+                     " connected points, there are " + std::to_string(points);
   return estimate;
 }
 
@@ -132,7 +127,7 @@ matchEveryVertex(const PreparedSurface& surface, const BaseVertices& base, unsig
 void
 judge(MapEstimate& estimate)
 {
-  if (estimate.confidence >= least_trusted_confidence) {
+  if (estimate.confidence >= minimum_trusted_confidence) {
     estimate.status = SymmetryStatus::Symmetric;
   }
   else {
@@ -147,7 +142,7 @@ judge(MapEstimate& estimate)
 MapEstimate
 estimateStaged(const PreparedSurface& surface, const SymmetryParameters& parameters, StepTimer& timer)
 {
-  if (surface.size() < fewest_points) {
+  if (surface.size() < settings.minimum_points) {
     return tooFewPoints(surface.size());
   }
   const unsigned threads = parameters.threads;
@@ -168,15 +163,16 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
 
   timer.start("hypotheses", 0.2);
   const SurfaceGraph embedded = embeddedGraph(surface.graph, embedding);
-  const std::vector<Index> tips = mutuallyFarthestVertices(embedded, start, 4);
-  if (tips.size() < 4) {
+  const std::vector<Index> extremities = mutuallyFarthestVertices(embedded, start, 4);
+  if (extremities.size() < 4) {
     estimate.message = "fewer than four distinct extreme points: the staged method needs two pairs of limbs";
     return estimate;
   }
-  const TipFunctions functions =
-      tipFunctions(embedded, start, average_samples, tip_separation * estimate.diameter, threads);
-  const ExtremePairs pairs = pairExtremePoints(
-      {tips[0], tips[1], tips[2], tips[3]}, pairingFeature(functions, parameters.pairing), *metric, landmarks, threads);
+  const ExtremityFunctions functions = extremityFunctions(embedded, start, settings.average_samples,
+                                                          settings.extremity_separation * estimate.diameter, threads);
+  const ExtremePairs pairs =
+      pairExtremePoints({extremities[0], extremities[1], extremities[2], extremities[3]},
+                        pairingFeature(functions, parameters.pairing), *metric, landmarks, threads);
   estimate.extremities = {pairs.h1, pairs.h2, pairs.f1, pairs.f2};
   std::vector<SymmetricMatch> limbs = {{pairs.h1, pairs.h2, no_index, 0.0F}, {pairs.f1, pairs.f2, no_index, 0.0F}};
   BaseVertices base(*metric, threads);
@@ -185,7 +181,8 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
   estimate.regions = limbRegions(base.sourceFields(), base.targetFields(), limbs[0].midpoint, limbs[1].midpoint);
 
   timer.start("matching", 0.35); // section 3.3
-  const std::size_t count = parameters.samples == 0 ? default_samples : static_cast<std::size_t>(parameters.samples);
+  const std::size_t count =
+      parameters.samples == 0 ? settings.default_samples : static_cast<std::size_t>(parameters.samples);
   const std::vector<Index> samples = sampleSourceAndCentre(*metric, start, count, estimate.regions);
   estimate.matches = matchInStages(base, functions, estimate.regions, samples, threads);
   if (estimate.matches.empty()) {

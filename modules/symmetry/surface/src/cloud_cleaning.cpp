@@ -44,7 +44,7 @@ distancesFromMiddle(const std::vector<Vector3>& points)
 void
 dropFarOutliers(PreparedSurface& surface)
 {
-  constexpr double far = 1e4; // times as far from the middle as half of the points
+  constexpr double maximum_distance = 1e4; // times as far from the middle as half of the points
   if (surface.size() == 0) {
     return;
   }
@@ -52,7 +52,7 @@ dropFarOutliers(PreparedSurface& surface)
   const double typical = median(distances);
   std::vector<char> keep(surface.size());
   std::transform(distances.begin(), distances.end(), keep.begin(),
-                 [typical](double d) { return !(typical > 0.0) || d <= far * typical; });
+                 [typical](double d) { return !(typical > 0.0) || d <= maximum_distance * typical; });
   const auto outliers = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
   if (outliers > 0) {
     surface.summary.outliers += outliers;
@@ -66,10 +66,10 @@ dropFarParts(const std::vector<Vector3>& input,
              const NeighbourSearch& search,
              PreparedSurface& surface)
 {
-  constexpr double suspicious = 8.0; // box over median distance from the middle; of one body two to five
-  constexpr std::size_t fewest = 20; // fewer points are no part of their own
+  constexpr double maximum_ratio = 8.0;    // box over median distance from the middle; of one body two to five
+  constexpr std::size_t minimum_part = 20; // points; fewer are no part of their own
   if (surface.size() == 0 ||
-      suspicious * median(distancesFromMiddle(surface.points)) >= boundingBox(surface.points).longestSide()) {
+      maximum_ratio * median(distancesFromMiddle(surface.points)) >= boundingBox(surface.points).longestSide()) {
     return;
   }
   const NeighbourLists lists = search(surface.points, parameters.k_search);
@@ -100,11 +100,11 @@ dropFarParts(const std::vector<Vector3>& input,
                  [&box](const Vector3& p) { return box.distanceTo(p) <= box.longestSide(); });
   for (const Index v : surface.representatives) {
     if (v != no_index && keep[v] == 0) {
-      ++(sizes[parts.find(v)] < fewest ? surface.summary.outliers : surface.summary.other_components);
+      ++(sizes[parts.find(v)] < minimum_part ? surface.summary.outliers : surface.summary.other_components);
     }
   }
   for (std::size_t v = 0; v < surface.size(); ++v) {
-    const bool is_part = parts.find(static_cast<Index>(v)) == static_cast<Index>(v) && sizes[v] >= fewest;
+    const bool is_part = parts.find(static_cast<Index>(v)) == static_cast<Index>(v) && sizes[v] >= minimum_part;
     surface.summary.components += is_part && keep[v] == 0 ? 1U : 0U;
   }
   if (std::find(keep.begin(), keep.end(), 0) != keep.end()) {
@@ -147,10 +147,11 @@ resample(UsablePoints& usable,
          const NeighbourSearch& search,
          NoiseInterpretation interpretation)
 {
-  constexpr std::size_t most = 60000;
+  constexpr std::size_t maximum_points = 60000;
   PreparedSurface& surface = usable.surface;
   usable.neighbours = search(surface.points, parameters.k_search);
-  ResampledCloud resampled = resampleCloud(surface.points, usable.neighbours, most, parameters.threads, interpretation);
+  ResampledCloud resampled =
+      resampleCloud(surface.points, usable.neighbours, maximum_points, parameters.threads, interpretation);
   if (resampled.points.size() == surface.size() && resampled.smoothing_radius == 0.0F && resampled.normals.empty()) {
     return;
   }

@@ -1,0 +1,56 @@
+/** \file
+ * \brief The numbers that decide sides, axis, limbs and measures of a map, together in one place.
+ *
+ * Origin of all of them unless another is given: chosen by hand on generated bodies and scans; not fitted by a script.
+ */
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief The side of every vertex, see sides.h. */
+struct SideSettings {
+  /** Weight of the mean difference of distances beside the votes, which are whole numbers: geometric, below a half it
+   * decides between equal votes and never against one. */
+  float difference_weight = 0.49F;
+  double speck_share = 0.02; ///< of the vertices, below which a patch of the other side is a speck
+  int maximum_rounds = 16;   ///< specks within specks are rarely nested deeper than twice
+};
+
+/** \brief The pairs that vote for the sides, see side_votes.h. */
+struct VoteSettings {
+  std::size_t maximum_pairs = 48;
+  std::array<float, 3> moved{0.5F, 0.25F, 0.1F}; ///< shares of the longest way that a pair must move, tried in turn
+};
+
+/** \brief Polylines of the axis, see axis_curve.h and curve_thinning.h.
+ *
+ * Radii are in half widths of the band, which is about the reach of a vertex's neighbours: a tube around a path that is
+ * not quite in the middle has to cover the whole width, and the free ball around an end has to be larger than the tube.
+ */
+struct AxisSettings {
+  double shortest_share = 0.05;    ///< of the longest line, below which one is left out
+  std::ptrdiff_t longest_loop = 8; ///< vertices of a loop that is straightened out
+  float tube_radius = 2.5F;        ///< above 2
+  float end_radius = 4.0F;         ///< above the radius of the tube
+  std::size_t maximum_curves = 32; ///< what is left by then are crumbs
+};
+
+/** \brief Limbs, see limb_regions.h. */
+struct LimbSettings {
+  float separation = 0.15F; ///< share of the diameter; nearer extremities belong to one limb, or to none
+  std::size_t pairs = 2;    ///< the paper's
+};
+
+/** \brief Measures of a finished map, see map_quality.h; lengths are shares of the diameter. */
+struct QualitySettings {
+  float involution_tolerance = 0.02F; ///< within which a point counts as come back
+  float torn_side = 0.05F;            ///< length of a side of a face's image above which the face is torn
+  std::size_t landmarks = 16;         ///< that distances are compared between
+};
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,42 @@
+#include "posed_human.h"
+#include "symmetry/sides/limb_regions.h"
+#include "symmetry/sides/side_votes.h"
+
+#include <gtest/gtest.h>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+TEST(LimbRegions, LimbsOfTheTrueMapHoldOppositeSides)
+{
+  const SampleMap map = human().trueMap();
+  const auto limbs = swappedExtremities(human().landmarks, map, orderPairs(human().landmarks, map));
+  ASSERT_EQ(limbs.size(), 2U);
+  EXPECT_EQ(trueSide(limbs[0].first), trueSide(limbs[1].first));
+  EXPECT_EQ(trueSide(limbs[0].first), -trueSide(limbs[0].second));
+  EXPECT_EQ(trueSide(limbs[1].first), -trueSide(limbs[1].second));
+
+  const std::vector<Region> regions = limbRegions(human().landmarks, limbs);
+  EXPECT_EQ(regions[limbs[0].first], Region::Source1);
+  EXPECT_EQ(regions[limbs[0].second], Region::Target1);
+  EXPECT_EQ(regions[limbs[1].first], Region::Source2);
+  EXPECT_EQ(regions[limbs[1].second], Region::Target2);
+  for (const auto& [source, target] : limbs) {
+    for (Index i = 0; i < 250; ++i) {
+      const float half_way = 0.5F * human().landmarks.distances(source, target);
+      if (human().landmarks.distances(i, source) < half_way || human().landmarks.distances(i, target) < half_way) {
+        EXPECT_NE(regions[i], Region::Centre) << i;
+      }
+    }
+  }
+}
+
+TEST(LimbRegions, WithoutLimbsEverythingIsCentre)
+{
+  const std::vector<Region> regions = limbRegions(human().landmarks, {});
+  EXPECT_EQ(regions, std::vector<Region>(250, Region::Centre));
+}
+
+} // namespace
