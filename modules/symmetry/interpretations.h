@@ -22,10 +22,11 @@ class PastInterpretations {
 public:
   /** \brief Whether this is the first time. */
   bool
-  isNew(const PreparedSurface& surface, const ContactTest& contact);
+  isNew(const PreparedSurface& surface, const ContactTest& contact, float samples = 1.0F);
 
 private:
   struct PastSurface {
+    float samples;
     std::vector<Vector3> points;
     std::vector<Vector3> normals;
     std::vector<ContactTest> contacts;
@@ -36,18 +37,29 @@ private:
 
 /** \brief Prepares a surface in one way after another, the one that is usually right first, until there is no need.
  *
- * A mesh is taken as it is; in doubt, if there are holes in it, also as the cloud of its vertices: holes part what
- * belongs together and lead distances astray. A cloud leaves open which points touch and which are connected, and a
+ * A mesh is taken as it is; in doubt also as the cloud of its vertices, which tests contacts and has no holes (limbs
+ * that are glued together and holes lead distances astray), then with fewer and with more samples, among which other
+ * hypotheses are made. A cloud leaves open which points touch and which are connected, and a
  * noisy one also where the surface is. What comes out the same as before is not tried again. */
 class InterpretationPlan {
 public:
+  /** \brief A surface prepared in one way, and the share of the usual number of samples that it is to get. */
+  struct Attempt {
+    PreparedSurface surface;
+    float samples = 1.0F;
+  };
+
   /** All that is given is referred to, not copied.
    * \param[in] search of the neighbours of a cloud */
   InterpretationPlan(const Surface& surface, const SymmetryParameters& parameters, const NeighbourSearch& search);
 
+  /** \brief How interpretations of such an input count. */
+  Pooling
+  pooling() const;
+
   /** \brief The surface prepared in the next way; none where the rivals are settled or nothing is left to try.
    * \param[in] rivals the interpretations so far, each with its estimate */
-  std::optional<PreparedSurface>
+  std::optional<Attempt>
   next(const RivalInterpretations& rivals);
 
 private:
@@ -56,6 +68,7 @@ private:
     NoiseInterpretation noise;
     FaceUse faces;
     std::vector<float> depths; ///< see ContactTest; none: as density and noise allow
+    float samples = 1.0F;      ///< see Attempt
   };
 
   std::vector<Stage>
@@ -67,6 +80,7 @@ private:
   std::vector<Stage> stages_; ///< yet to come, the next one last
   bool is_first_ = true;
   UsablePoints usable_;               ///< of the current stage
+  float samples_ = 1.0F;              ///< of the current stage
   std::vector<ContactTest> contacts_; ///< of the current stage, yet to come, the next one last
   PastInterpretations past_;
 };

@@ -20,6 +20,11 @@ const ContactTest trusting{0.5F, 3.0F};
 const ContactTest usual{0.8F, 4.0F};
 const ContactTest distrustful{0.95F, 8.0F};
 
+/** Shares of the usual number of samples: far enough from it, and from each other, that other samples are extreme points
+ * and other hypotheses are made; fewer than half are too coarse for hands, more cost more. */
+constexpr float fewer_samples = 0.73F;
+constexpr float more_samples = 1.33F;
+
 /** Depths at which touching surfaces that noise has merged are looked for, in spacings. */
 constexpr float contact_depth = 1.0F;
 constexpr float shallow_contact_depth = 0.7F;
@@ -55,13 +60,13 @@ contactTests(const PreparedSurface& surface, const SymmetryParameters& parameter
 } // namespace
 
 bool
-PastInterpretations::isNew(const PreparedSurface& surface, const ContactTest& contact)
+PastInterpretations::isNew(const PreparedSurface& surface, const ContactTest& contact, float samples)
 {
   auto past = std::find_if(surfaces_.begin(), surfaces_.end(), [&](const PastSurface& other) {
-    return other.points == surface.points && other.normals == surface.normals;
+    return other.samples == samples && other.points == surface.points && other.normals == surface.normals;
   });
   if (past == surfaces_.end()) {
-    past = surfaces_.insert(surfaces_.end(), {surface.points, surface.normals, {}});
+    past = surfaces_.insert(surfaces_.end(), {samples, surface.points, surface.normals, {}});
   }
   if (std::find(past->contacts.begin(), past->contacts.end(), contact) != past->contacts.end()) {
     return false;
@@ -80,15 +85,21 @@ InterpretationPlan::InterpretationPlan(const Surface& surface,
 {
 }
 
-std::optional<PreparedSurface>
+Pooling
+InterpretationPlan::pooling() const
+{
+  return surface_.hasFaces() && parameters_.method == Method::Robust ? Pooling::Odds : Pooling::Votes;
+}
+
+std::optional<InterpretationPlan::Attempt>
 InterpretationPlan::next(const RivalInterpretations& rivals)
 {
   while (!rivals.isSettled()) {
     while (!contacts_.empty()) {
       const ContactTest contact = contacts_.back();
       contacts_.pop_back();
-      if (past_.isNew(usable_.surface, contact)) { // else it would speak twice
-        return prepareSurface(usable_, parameters_, contact);
+      if (past_.isNew(usable_.surface, contact, samples_)) { // else it would speak twice
+        return Attempt{prepareSurface(usable_, parameters_, contact), samples_};
       }
     }
     if (stages_.empty() && is_first_) {
@@ -102,6 +113,7 @@ InterpretationPlan::next(const RivalInterpretations& rivals)
     const Stage stage = std::move(stages_.back());
     stages_.pop_back();
     usable_ = usablePoints(surface_, parameters_, search_, stage.noise, stage.faces);
+    samples_ = stage.samples;
     contacts_ = contactTests(usable_.surface, parameters_, stage.depths);
     std::reverse(contacts_.begin(), contacts_.end());
   }
@@ -117,9 +129,9 @@ InterpretationPlan::furtherStages(const RivalInterpretations& rivals) const
     return {};
   }
   if (surface_.hasFaces()) {
-    // Holes part what belongs together and lead distances astray.
-    const bool has_holes = weightOfHoles(best.estimate.known_holes) > 0.0F;
-    return has_holes ? std::vector<Stage>{{NoiseInterpretation::Close, FaceUse::Normals, {}}} : std::vector<Stage>{};
+    return {{NoiseInterpretation::Close, FaceUse::Normals, {}},
+            {NoiseInterpretation::Close, FaceUse::Connection, {}, fewer_samples},
+            {NoiseInterpretation::Close, FaceUse::Connection, {}, more_samples}};
   }
   if (usable_.surface.summary.smoothing_radius == 0.0F) {
     const bool is_found = best.estimate.status == SymmetryStatus::Symmetric;

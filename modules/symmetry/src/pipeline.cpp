@@ -8,6 +8,7 @@
 #include "symmetry/staged/staged_method.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -121,13 +122,16 @@ deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, Symme
 }
 
 MapEstimate
-estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameters, StepTimer& timer)
+estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameters, float samples, StepTimer& timer)
 {
   if (parameters.method == Method::Staged) {
     return estimateStaged(prepared, parameters, timer);
   }
-  static const RobustSettings default_settings;
-  return estimateRobust(prepared, parameters, default_settings, timer);
+  RobustSettings settings;
+  const float usual =
+      parameters.samples > 0 ? static_cast<float>(parameters.samples) : static_cast<float>(settings.sampling.samples);
+  settings.sampling.samples = std::max(minimum_samples, static_cast<std::size_t>(std::lround(samples * usual)));
+  return estimateRobust(prepared, parameters, settings, timer);
 }
 
 /** The whole method. */
@@ -174,14 +178,14 @@ interpretSurface(const Surface& surface,
 {
   // Interpret: in one way after another until the result is settled; the ways vote.
   InterpretationPlan plan(surface, parameters, search);
-  RivalInterpretations rivals;
+  RivalInterpretations rivals(plan.pooling());
   timer.start("graph", 0.0);
-  while (std::optional<PreparedSurface> prepared = plan.next(rivals)) {
+  while (std::optional<InterpretationPlan::Attempt> attempt = plan.next(rivals)) {
     // Prepare: points cleaned, graph built, at unit scale; done by the plan.
-    summary = prepared->summary;
+    summary = attempt->surface.summary;
     // Sample, search, refine, judge: by either method.
-    MapEstimate estimate = estimateMap(*prepared, parameters, timer);
-    Interpretation interpretation{std::move(*prepared), std::move(estimate)};
+    MapEstimate estimate = estimateMap(attempt->surface, parameters, attempt->samples, timer);
+    Interpretation interpretation{std::move(attempt->surface), std::move(estimate)};
     if (observer) {
       observer(interpretation);
     }

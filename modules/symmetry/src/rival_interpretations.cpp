@@ -73,49 +73,74 @@ leastOfSeveralInterpretations(const Interpretation& interpretation)
              : usual - (usual - with_many_holes) * weightOfHoles(interpretation.estimate.known_holes);
 }
 
+/** Confidence from which on a mesh is not searched again. */
+constexpr float settled_by_odds = 0.75F;
+
+/** Of the points and of the other symmetries. */
+void
+scaleConfidences(MapEstimate& estimate, float share)
+{
+  for (float& confidence : estimate.confidences) {
+    confidence *= share;
+  }
+  for (std::vector<AlternativeMap>* maps : {&estimate.alternatives, &estimate.rotations}) {
+    for (AlternativeMap& map : *maps) {
+      map.confidence *= share;
+    }
+  }
+}
+
 } // namespace
 
 void
 RivalInterpretations::add(Interpretation interpretation)
 {
   ++interpretations_;
-  const bool is_found = interpretation.estimate.status == SymmetryStatus::Symmetric;
-  const float confidence = interpretation.estimate.confidence;
+  const MapEstimate& estimate = interpretation.estimate;
+  const bool by_odds = pooling_ == Pooling::Odds;
+  const bool is_found = by_odds ? !estimate.partners.empty() : estimate.status == SymmetryStatus::Symmetric;
+  const float confidence = by_odds ? estimate.map_confidence : estimate.confidence;
   std::vector<Vector3> images = is_found ? imagesOfProbes(interpretation) : std::vector<Vector3>{};
   const auto same = std::find_if(rivals_.begin(), rivals_.end(), [&](const Rival& rival) {
-    const bool rival_is_found = rival.interpretation.estimate.status == SymmetryStatus::Symmetric;
-    return is_found == rival_is_found && areAlike(images, rival.images);
+    return is_found == rival.is_found && areAlike(images, rival.images);
   });
   if (same == rivals_.end()) {
-    rivals_.push_back({std::move(interpretation), std::move(images), is_found ? confidence : 0.0F});
+    rivals_.push_back(
+        {std::move(interpretation), std::move(images), is_found, confidence, is_found ? confidence : 0.0F});
     return;
   }
-  same->evidence += is_found ? confidence : 0.0F;
-  if (confidence > same->interpretation.estimate.confidence) {
+  same->evidence = !is_found ? 0.0F : by_odds ? std::max(same->evidence, confidence) : same->evidence + confidence;
+  if (confidence > same->confidence) {
     same->interpretation = std::move(interpretation);
     same->images = std::move(images);
+    same->confidence = confidence;
   }
 }
 
 bool
 RivalInterpretations::isSettled() const
 {
-  constexpr float beyond_doubt = 0.9F;
-  constexpr float sure_together = 2.0F; // three interpretations that agree, each sure enough alone
-  constexpr float usually = 0.6F;
   if (rivals_.empty()) {
     return false;
   }
   const std::size_t best = bestRival();
   const MapEstimate& estimate = rivals_[best].interpretation.estimate;
+  if (estimate.status == SymmetryStatus::TooFewPoints) {
+    return true;
+  }
+  if (pooling_ == Pooling::Odds) {
+    return shareOfOdds(best) >= settled_by_odds;
+  }
+  constexpr float beyond_doubt = 0.9F;
+  constexpr float sure_together = 2.0F; // three interpretations that agree, each sure enough alone
+  constexpr float usually = 0.6F;
   float contradicting = 0.0F;
   for (std::size_t i = 0; i < rivals_.size(); ++i) {
     contradicting += i == best ? 0.0F : rivals_[i].evidence;
   }
   const float evidence = rivals_[best].evidence;
   const bool is_usual = evidence >= sure_together && evidence >= usually * static_cast<float>(interpretations_);
-  return estimate.status == SymmetryStatus::TooFewPoints || is_usual ||
-         (estimate.confidence >= beyond_doubt && evidence > contradicting);
+  return is_usual || (estimate.confidence >= beyond_doubt && evidence > contradicting);
 }
 
 const Interpretation&
@@ -127,35 +152,74 @@ RivalInterpretations::best() const
 Interpretation
 RivalInterpretations::takeBest()
 {
-  Rival& best = rivals_[bestRival()];
-  const float least_confidence = leastOfSeveralInterpretations(best.interpretation);
-  MapEstimate& estimate = best.interpretation.estimate;
-  if (estimate.status == SymmetryStatus::Symmetric && interpretations_ > 1) {
-    const float agreement = best.evidence / static_cast<float>(interpretations_);
-    const float share = std::sqrt(agreement / estimate.confidence);
-    estimate.confidence *= share;
-    for (float& confidence : estimate.confidences) {
-      confidence *= share;
-    }
-    for (std::vector<AlternativeMap>* maps : {&estimate.alternatives, &estimate.rotations}) {
-      for (AlternativeMap& map : *maps) {
-        map.confidence *= share;
-      }
-    }
-    if (estimate.confidence < least_confidence) {
-      estimate.status = SymmetryStatus::NoSymmetry;
-      estimate.message = "hardly any way to read the points shows a symmetry";
-    }
+  const std::size_t best = bestRival();
+  Interpretation interpretation = std::move(rivals_[best].interpretation);
+  if (interpretation.estimate.status == SymmetryStatus::TooFewPoints || interpretations_ == 1) {
+    return interpretation;
   }
-  return std::move(best.interpretation);
+  if (pooling_ == Pooling::Odds) {
+    takeOdds(interpretation, shareOfOdds(best));
+  }
+  else if (interpretation.estimate.status == SymmetryStatus::Symmetric) {
+    takeVotes(interpretation, rivals_[best].evidence);
+  }
+  return interpretation;
+}
+
+/** The odds of a rival's map over those of all maps and of none. */
+float
+RivalInterpretations::shareOfOdds(std::size_t rival) const
+{
+  static constexpr float surest = 0.9999F; // keeps odds finite
+  const auto odds = [](float confidence) {
+    const float bounded = confidence < surest ? confidence : surest;
+    return bounded / (1.0F - bounded);
+  };
+  float all = 1.0F; // of none
+  for (const Rival& other : rivals_) {
+    all += odds(other.evidence);
+  }
+  return odds(rivals_[rival].evidence) / all;
+}
+
+void
+RivalInterpretations::takeOdds(Interpretation& interpretation, float confidence)
+{
+  MapEstimate& estimate = interpretation.estimate;
+  if (confidence >= leastMapConfidence(estimate.known_holes)) {
+    const float share = estimate.map_confidence > 0.0F ? confidence / estimate.map_confidence : 0.0F;
+    estimate.status = SymmetryStatus::Symmetric;
+    estimate.message.clear();
+    scaleConfidences(estimate, share);
+    estimate.confidence = confidence;
+    return;
+  }
+  if (estimate.status == SymmetryStatus::Symmetric) {
+    estimate.message = "ways to understand the surface contradict each other";
+  }
+  estimate.status = SymmetryStatus::NoSymmetry;
+  estimate.confidence = confidence_of_refused * confidence;
+}
+
+void
+RivalInterpretations::takeVotes(Interpretation& interpretation, float evidence) const
+{
+  MapEstimate& estimate = interpretation.estimate;
+  const float agreement = evidence / static_cast<float>(interpretations_);
+  const float share = std::sqrt(agreement / estimate.confidence);
+  estimate.confidence *= share;
+  scaleConfidences(estimate, share);
+  if (estimate.confidence < leastOfSeveralInterpretations(interpretation)) {
+    estimate.status = SymmetryStatus::NoSymmetry;
+    estimate.message = "hardly any way to read the points shows a symmetry";
+  }
 }
 
 std::size_t
 RivalInterpretations::bestRival() const
 {
   const auto comes_before = [](const Rival& a, const Rival& b) {
-    return a.evidence != b.evidence ? a.evidence > b.evidence
-                                    : a.interpretation.estimate.confidence > b.interpretation.estimate.confidence;
+    return a.evidence != b.evidence ? a.evidence > b.evidence : a.confidence > b.confidence;
   };
   return static_cast<std::size_t>(std::min_element(rivals_.begin(), rivals_.end(), comes_before) - rivals_.begin());
 }

@@ -33,9 +33,8 @@ estimateRobust(const PreparedSurface& surface,
     return tooFewPoints();
   }
   // Sample: evenly spaced samples, their eigenfunctions, the distances between the first of them, their features.
-  SamplingSettings sampling = settings.sampling;
-  sampling.samples = parameters.samples > 0 ? static_cast<std::size_t>(parameters.samples) : sampling.samples;
-  const SampledSurface sampled = sampleSurface(surface, sampling, parameters.metric, parameters.threads, timer);
+  const SampledSurface sampled =
+      sampleSurface(surface, settings.sampling, parameters.metric, parameters.threads, timer);
   if (sampled.coarse.size() < minimum_samples) {
     return tooFewPoints();
   }
