@@ -1,4 +1,4 @@
-#include "support/coarse_body.h"
+#include "support/human.h"
 #include "symmetry/samples/shape_descriptor.h"
 
 #include <Eigen/QR>
@@ -10,13 +10,6 @@ using namespace pcl::symmetry::test;
 namespace {
 
 constexpr int dimensions = 12;
-
-const CoarseBody&
-human()
-{
-  static const CoarseBody body = coarseBody(Body::Human, 1.0);
-  return body;
-}
 
 const ShapeDescriptor&
 descriptor()

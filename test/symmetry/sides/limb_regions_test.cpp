@@ -1,4 +1,4 @@
-#include "posed_human.h"
+#include "support/human.h"
 #include "symmetry/sides/limb_regions.h"
 #include "symmetry/sides/side_votes.h"
 
@@ -30,6 +30,21 @@ TEST(LimbRegions, LimbsOfTheTrueMapHoldOppositeSides)
         EXPECT_NE(regions[i], Region::Centre) << i;
       }
     }
+  }
+}
+
+TEST(LimbRegions, SourcesAreThoseOfThePairs)
+{
+  const SampleMap map = human().trueMap();
+  OrderedPairs pairs = orderPairs(human().landmarks, map);
+  const auto limbs = swappedExtremities(human().landmarks, map, pairs);
+  pairs.sources.swap(pairs.targets);
+  const auto turned = swappedExtremities(human().landmarks, map, pairs);
+  ASSERT_EQ(limbs.size(), 2U);
+  ASSERT_EQ(turned.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(trueSide(turned[k].first), trueSide(limbs[k].second));
+    EXPECT_EQ(trueSide(turned[k].second), trueSide(limbs[k].first));
   }
 }
 

@@ -1,4 +1,4 @@
-#include "posed_human.h"
+#include "support/human.h"
 #include "symmetry/sides/side_votes.h"
 
 #include <gtest/gtest.h>
