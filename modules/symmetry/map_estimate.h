@@ -17,11 +17,14 @@ struct MapEstimate {
   SymmetryStatus status = SymmetryStatus::NoSymmetry;
   std::string message; ///< why the status is not Symmetric
   float confidence = 0.0F;
-  float map_confidence = 0.0F;      ///< of the map as it came out, also where it is refused
-  float known_holes = 0.0F;         ///< share of the samples into whose cells holes of a mesh reach; 0 for a cloud
-  std::vector<Index> partners;      ///< empty where the staged method was asked for sparse matches only
-  std::vector<float> confidences;   ///< per point, in [0, 1]
-  std::vector<float> side_function; ///< positive on the source side, negative on the target side, 0 undecided
+  float map_confidence = 0.0F;       ///< of the map as it came out, also where it is refused
+  float known_holes = 0.0F;          ///< share of the samples into whose cells holes of a mesh reach; 0 for a cloud
+  float unsupported_share = 0.0F;    ///< of the area: parts without a counterpart, see Support
+  float supported_confidence = 0.0F; ///< of the map of the rest; map_confidence where all is supported
+  std::vector<char> is_unsupported;  ///< per point
+  std::vector<Index> partners;       ///< empty where the staged method was asked for sparse matches only
+  std::vector<float> confidences;    ///< per point, in [0, 1]
+  std::vector<float> side_function;  ///< positive on the source side, negative on the target side, 0 undecided
   std::vector<Region> regions;
   std::vector<SymmetricMatch> matches;
   std::vector<Index> extremities;

@@ -53,6 +53,9 @@ private:
   float
   chooseContender(std::vector<Contender>& contenders, MapEvidence& evidence) const;
 
+  void
+  judgeSupport(const Contender& contender, const MapEvidence& evidence, float confidence, MapEstimate& estimate) const;
+
   float
   knownHoles() const;
 

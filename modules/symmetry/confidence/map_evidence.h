@@ -4,6 +4,7 @@
 #pragma once
 
 #include "symmetry/confidence/map_asymmetry.h"
+#include "symmetry/confidence/support.h"
 #include "symmetry/refine/sample_refinement.h"
 #include "symmetry/samples/sampled_surface.h"
 #include "symmetry/search/map_score.h"
@@ -43,9 +44,10 @@ struct MapEvidence {
   float at_holes = 0.0F;       ///< share of the samples into whose cells holes reach
   PointSpacing spacing;        ///< of a cloud; the faces of a mesh tell what is between its points
   float local_change = 0.0F;   ///< localDistanceChange () at the median landmark
-  float worst_local_change = 0.0F; ///< at 97 % of the landmarks
-  float turn = 0.0F;               ///< PatchFit::turn of the median patch
-  float worst_turn = 0.0F;         ///< of 97 % of the patches
+  float worst_local_change = 0.0F;  ///< at 97 % of the landmarks
+  float turn = 0.0F;                ///< PatchFit::turn of the median patch
+  std::vector<float> local_changes; ///< localDistanceChange () of every landmark
+  float worst_turn = 0.0F;          ///< of 97 % of the patches
 };
 
 /** \brief Measures a refined map.
@@ -56,6 +58,17 @@ gatherEvidence(const SampledSurface& sampled,
                const SymmetryCandidate& candidate,
                const SampleEstimate& samples,
                const PointSpacing& spacing);
+
+/** \brief Measures a refined map on the supported part of the surface alone: what has no counterpart neither counts
+ * itself nor do distances to it.
+ * \param[in] whole gatherEvidence () of the map
+ * \param[in] support with some part that is unsupported */
+MapEvidence
+gatherSupportedEvidence(const SampledSurface& sampled,
+                        const SymmetryCandidate& candidate,
+                        const SampleEstimate& samples,
+                        const Support& support,
+                        const MapEvidence& whole);
 
 /** \brief Share of the samples into whose cells holes reach. */
 float

@@ -24,6 +24,14 @@ struct PatchFit {
   float turn;     ///< mean of 1 - cosine between the normals
 };
 
+/** \brief The mean of both measures; 0 without fits. */
+PatchFit
+meanOf(const std::vector<PatchFit>& fits);
+
+/** \brief PatchFit::distance that 98 % of the patches do not reach. */
+float
+worstDistance(const std::vector<PatchFit>& fits);
+
 /** \brief Slides the partners of samples to where the shape of the surface fits best.
  *
  * Poses bend a body, but between the joints they move it rigidly: a patch is a nearly exact mirror image of its partner

@@ -60,6 +60,28 @@ MapJudge::chooseContender(std::vector<Contender>& contenders, MapEvidence& evide
   return trusted;
 }
 
+/** Which parts have no counterpart, and how far the map of the rest can be trusted. */
+void
+MapJudge::judgeSupport(const Contender& contender,
+                       const MapEvidence& evidence,
+                       float confidence,
+                       MapEstimate& estimate) const
+{
+  const Support support = findSupport(sampled_, contender.samples, evidence.local_changes);
+  estimate.unsupported_share = support.unsupported_share;
+  estimate.supported_confidence = confidence;
+  if (support.unsupported_share > 0.0F) {
+    estimate.supported_confidence =
+        mapConfidence(gatherSupportedEvidence(sampled_, *contender.candidate, contender.samples, support, evidence));
+  }
+  estimate.measures.push_back({"unsupported_share", estimate.unsupported_share});
+  estimate.measures.push_back({"supported_confidence", estimate.supported_confidence});
+  estimate.is_unsupported.reserve(sampled_.surface.size());
+  for (const Index sample : sampled_.coarse.cells.owner) {
+    estimate.is_unsupported.push_back(support.is_unsupported[sampled_.landmarks.nearest_landmark[sample]]);
+  }
+}
+
 MapEstimate
 MapJudge::verdict(std::vector<Contender>& contenders) const
 {
@@ -74,6 +96,7 @@ MapJudge::verdict(std::vector<Contender>& contenders) const
   MapEvidence evidence;
   const float confidence = chooseContender(contenders, evidence);
   estimate.measures = namedMeasures(evidence);
+  judgeSupport(contenders.front(), evidence, confidence, estimate);
   estimate.map_confidence = confidence;
   const Contender& best = contenders.front();
   if (confidence < leastMapConfidence(estimate.known_holes)) {

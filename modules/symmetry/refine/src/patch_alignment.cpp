@@ -1,6 +1,7 @@
 #include "symmetry/refine/patch_alignment.h"
 
 #include "base/parallel.h"
+#include "base/statistics.h"
 #include "base/vector_math.h"
 #include "symmetry/refine/point_map.h"
 #include "symmetry/samples/greedy_descent.h"
@@ -165,6 +166,26 @@ PatchAlignment::nearestFacing(Index partner, const WantedPlace& wanted) const
     }
   }
   return walkDown(surface_.graph, best, cost);
+}
+
+PatchFit
+meanOf(const std::vector<PatchFit>& fits)
+{
+  PatchFit mean{0.0F, 0.0F};
+  for (const PatchFit& fit : fits) {
+    mean.distance += fit.distance / static_cast<float>(fits.size());
+    mean.turn += fit.turn / static_cast<float>(fits.size());
+  }
+  return mean;
+}
+
+float
+worstDistance(const std::vector<PatchFit>& fits)
+{
+  constexpr double nearly_all = 0.98;
+  std::vector<float> distances(fits.size());
+  std::transform(fits.begin(), fits.end(), distances.begin(), [](const PatchFit& fit) { return fit.distance; });
+  return quantile(std::move(distances), nearly_all);
 }
 
 } // namespace symmetry

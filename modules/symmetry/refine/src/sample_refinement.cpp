@@ -23,26 +23,6 @@ mapOfLandmarks(const LandmarkSurface& landmarks, const SampleMap& map)
   return among_landmarks;
 }
 
-PatchFit
-meanOf(const std::vector<PatchFit>& fits)
-{
-  PatchFit mean{0.0F, 0.0F};
-  for (const PatchFit& fit : fits) {
-    mean.distance += fit.distance / static_cast<float>(fits.size());
-    mean.turn += fit.turn / static_cast<float>(fits.size());
-  }
-  return mean;
-}
-
-float
-worstDistance(const std::vector<PatchFit>& fits)
-{
-  constexpr double nearly_all = 0.98;
-  std::vector<float> distances(fits.size());
-  std::transform(fits.begin(), fits.end(), distances.begin(), [](const PatchFit& fit) { return fit.distance; });
-  return quantile(std::move(distances), nearly_all);
-}
-
 /** Logarithm of the misfit of the patches. Normals tell more than distances: on a smooth body a wrong patch lies close
  * as well, but does not face the right way. */
 float

@@ -1,0 +1,141 @@
+#include "symmetry/confidence/support.h"
+
+#include "base/statistics.h"
+#include "base/union_find.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Landmarks that share a triangle, both ways. */
+std::vector<std::vector<Index>>
+adjacentLandmarks(const LandmarkSurface& landmarks)
+{
+  std::vector<std::vector<Index>> adjacent(landmarks.size());
+  for (const Triangle& t : landmarks.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      adjacent[t[k]].push_back(t[(k + 1) % 3]);
+      adjacent[t[k]].push_back(t[(k + 2) % 3]);
+    }
+  }
+  for (std::vector<Index>& around : adjacent) {
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+  }
+  return adjacent;
+}
+
+/** Area of the samples nearest to each landmark; they sum up to 1. */
+std::vector<float>
+landmarkAreas(const SampledSurface& sampled)
+{
+  std::vector<float> areas(sampled.landmarks.size(), 0.0F);
+  for (std::size_t i = 0; i < sampled.coarse.size(); ++i) {
+    areas[sampled.landmarks.nearest_landmark[i]] += sampled.coarse.areas[i];
+  }
+  return areas;
+}
+
+/** The median of every landmark and those adjacent: one landmark that is off is noise. */
+std::vector<float>
+medianAround(const std::vector<std::vector<Index>>& adjacent, const std::vector<float>& values)
+{
+  std::vector<float> result(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::vector<float> around{values[i]};
+    for (const Index j : adjacent[i]) {
+      around.push_back(values[j]);
+    }
+    result[i] = median(std::move(around));
+  }
+  return result;
+}
+
+/** Connected groups of the landmarks with a mark: for each landmark a member that stands for its group, no_index
+ * without a mark; and the area of the group of each of these. */
+struct Groups {
+  std::vector<Index> of;
+  std::vector<float> areas;
+};
+
+Groups
+groupsOf(const std::vector<std::vector<Index>>& adjacent,
+         const std::vector<float>& areas,
+         const std::vector<char>& marks,
+         char mark)
+{
+  UnionFind joined(marks.size());
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    for (const Index j : adjacent[i]) {
+      if (marks[i] == mark && marks[j] == mark) {
+        joined.join(static_cast<Index>(i), j);
+      }
+    }
+  }
+  Groups groups{std::vector<Index>(marks.size(), no_index), std::vector<float>(marks.size(), 0.0F)};
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (marks[i] == mark) {
+      groups.of[i] = joined.find(static_cast<Index>(i));
+      groups.areas[groups.of[i]] += areas[i];
+    }
+  }
+  return groups;
+}
+
+/** Marks the groups, apart from the largest, that the map mostly sends into themselves or to what has a mark. */
+void
+markCutOff(const Groups& rest, const std::vector<float>& areas, const SampleMap& map, std::vector<char>& marks)
+{
+  const auto bulk = static_cast<Index>(std::max_element(rest.areas.begin(), rest.areas.end()) - rest.areas.begin());
+  std::vector<float> kept(map.size(), 0.0F);
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const Index group = rest.of[i];
+    if (group != no_index && (rest.of[map[i]] == group || rest.of[map[i]] == no_index)) {
+      kept[group] += areas[i];
+    }
+  }
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const Index group = rest.of[i];
+    if (group != no_index && group != bulk && 2.0F * kept[group] > rest.areas[group]) {
+      marks[i] = 1;
+    }
+  }
+}
+
+} // namespace
+
+Support
+findSupport(const SampledSurface& sampled,
+            const SampleEstimate& samples,
+            const std::vector<float>& local_change,
+            const SupportSettings& settings)
+{
+  const std::vector<std::vector<Index>> adjacent = adjacentLandmarks(sampled.landmarks);
+  const std::vector<float> areas = landmarkAreas(sampled);
+  const std::vector<float> change = medianAround(adjacent, local_change);
+
+  Support support;
+  std::vector<char>& marks = support.is_unsupported;
+  marks.resize(change.size());
+  std::transform(change.begin(), change.end(), marks.begin(),
+                 [&](float c) { return static_cast<char>(c > settings.change); });
+  const Groups changed = groupsOf(adjacent, areas, marks, 1);
+  bool is_any = false;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    marks[i] = static_cast<char>(changed.of[i] != no_index && changed.areas[changed.of[i]] >= settings.least_area);
+    is_any = is_any || marks[i] != 0;
+  }
+  if (!is_any) {
+    return support;
+  }
+  markCutOff(groupsOf(adjacent, areas, marks, 0), areas, samples.landmark_map, marks);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    support.unsupported_share += marks[i] != 0 ? areas[i] : 0.0F;
+  }
+  return support;
+}
+
+} // namespace symmetry
+} // namespace pcl

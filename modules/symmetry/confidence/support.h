@@ -1,0 +1,44 @@
+/** \file
+ * \brief Which parts of a surface have a counterpart under a map, and which have none.
+ */
+#pragma once
+
+#include "symmetry/refine/sample_refinement.h"
+#include "symmetry/samples/sampled_surface.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief When a place counts as unsupported. */
+struct SupportSettings {
+  /** Relative change of nearby distances, localDistanceChange (), from which on a place has no counterpart: the curve of
+   * fixed points leaves the middle of the body there, or what is long on one side is short on the other. A joint that
+   * bends changes distances across it by up to a third (a straight leg and one bent at a right angle differ by
+   * 1 - cos 45 degrees). */
+  float change = 0.4F;
+  float least_area = 0.005F;  ///< of a connected group of such places, share of the surface: less is noise of samples
+  float largest_share = 0.5F; ///< where more has no counterpart, the rest is not what the surface is
+};
+
+/** \brief The parts without a counterpart: one entry per landmark. */
+struct Support {
+  std::vector<char> is_unsupported; ///< of the landmark
+  float unsupported_share = 0.0F;   ///< of the area
+};
+
+/** \brief Finds the parts of a surface that have no counterpart under a map.
+ *
+ * Nearby distances change where an odd part is rooted and where its counterpart should be, not along it: an odd limb is
+ * mirrored in itself. So the groups of landmarks where they change come first; then what these cut off from the bulk of
+ * the surface and the map sends into itself.
+ * \param[in] local_change localDistanceChange () of the map */
+Support
+findSupport(const SampledSurface& sampled,
+            const SampleEstimate& samples,
+            const std::vector<float>& local_change,
+            const SupportSettings& settings = {});
+
+} // namespace symmetry
+} // namespace pcl
