@@ -13,6 +13,7 @@
 
 #include <pcl/exceptions.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -44,6 +45,7 @@ struct Options {
   Outputs outputs;
   SymmetryParameters parameters;
   bool as_cloud = false;
+  bool require_whole = false;
   bool quiet = false;
 };
 
@@ -65,6 +67,8 @@ describeOptions(Options& options)
   method.choice("method", parameters.method, method_names, "robust, or staged: the published method step by step");
   method.choice("metric", parameters.metric, metric_names,
                 "geodesic, or euclidean: faster, right only in a symmetric pose");
+  method.flag("require-whole", options.require_whole,
+              "a surface of which a part has no counterpart is not symmetric: exit status 3");
   method.flag("sparse", parameters.sparse_only, "leave out the dense map and alternatives");
   method.number("landmarks", parameters.landmarks, "N",
                 "of the staged method: sources of full distance fields, 10 to 1000");
@@ -146,6 +150,21 @@ describeAxis(const std::vector<Polyline>& axis)
   return text;
 }
 
+/** \brief Such as "  2 parts without counterpart: 8.1 % around point 5012, 1.9 % around point 77". */
+std::string
+describeUnsupported(const SymmetryResult& result)
+{
+  constexpr std::size_t named = 3;
+  const std::size_t count = result.unsupported.size();
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << "  " << count << (count == 1 ? " part" : " parts")
+       << " without counterpart:";
+  for (std::size_t k = 0; k < std::min(named, count); ++k)
+    text << (k == 0 ? " " : ", ") << 100.0F * result.unsupported[k].share << " % around point "
+         << result.unsupported[k].extreme;
+  return text.str();
+}
+
 /** \brief One line, such as "symmetric  confidence 0.97  12500 of 12500 points matched  axis 312 points, 1 closed curve
  * 0.31 s". */
 std::string
@@ -156,9 +175,11 @@ summarize(const SymmetryResult& result)
     seconds += duration;
   std::ostringstream text;
   text << std::fixed << std::setprecision(2) << toString(result.status) << "  confidence " << result.confidence;
-  if (result.status == SymmetryStatus::Symmetric)
+  if (hasMap(result.status))
     text << "  " << result.map.matched << " of " << result.input.points << " points matched  "
          << describeAxis(result.axis);
+  if (!result.unsupported.empty())
+    text << describeUnsupported(result);
   text << "  " << seconds << " s";
   if (!result.message.empty())
     text << "  " << result.message;
@@ -199,11 +220,12 @@ run(const Options& options)
   if (!options.outputs.report.empty())
     writeReport(options.outputs.report, options.input, options.parameters, result);
 
-  if (result.status != SymmetryStatus::Symmetric && result.status != SymmetryStatus::NoSymmetry)
+  if (!hasMap(result.status) && result.status != SymmetryStatus::NoSymmetry)
     throw std::runtime_error(options.input + ": " + toString(result.status) + ": " + result.message);
   if (!options.quiet)
     std::cout << summarize(result) << '\n';
-  return result.status == SymmetryStatus::Symmetric ? exit_done : exit_no_symmetry;
+  const bool is_enough = options.require_whole ? result.status == SymmetryStatus::Symmetric : hasMap(result.status);
+  return is_enough ? exit_done : exit_no_symmetry;
 }
 
 int

@@ -201,6 +201,7 @@ writeRunMap(const std::string& folder, const ModelRun& run)
   SymmetryResult result;
   result.partners = run.partners;
   result.confidences = run.confidences;
+  result.support.resize(run.points, 0.0F);
   result.sides.resize(run.points, Side::None);
   result.regions.resize(run.points, Region::None);
   writeMap((std::filesystem::path(folder) / (run.model.set + "_" + run.model.name + ".csv")).string(), result);

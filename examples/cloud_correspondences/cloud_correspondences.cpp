@@ -31,7 +31,7 @@ try {
   estimation.compute(result);
   std::printf("%s, confidence %.2f\n", toString(result.status), static_cast<double>(result.confidence));
   std::printf("%zu of %zu points used, %zu outliers\n", result.input.used, result.input.points, result.input.outliers);
-  if (result.status != pcl::symmetry::SymmetryStatus::Symmetric) {
+  if (!pcl::symmetry::hasMap(result.status)) {
     std::printf("%s\n", result.message.c_str());
     return 3;
   }

@@ -49,7 +49,7 @@ try {
   pcl::IntrinsicSymmetryResult result;
   estimation.compute(result); // a caller's mistake throws, an outcome of the data is a status:
   std::printf("%s, confidence %.2f\n", toString(result.status), static_cast<double>(result.confidence));
-  if (result.status != pcl::symmetry::SymmetryStatus::Symmetric) {
+  if (!pcl::symmetry::hasMap(result.status)) {
     std::printf("%s\n", result.message.c_str());
     return 3;
   }

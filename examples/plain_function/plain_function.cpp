@@ -25,7 +25,7 @@ try {
   };
   const SymmetryResult result = estimateIntrinsicSymmetry(surface, parameters, progress);
   std::printf("%s, confidence %.2f\n", toString(result.status), static_cast<double>(result.confidence));
-  if (result.status != SymmetryStatus::Symmetric) {
+  if (!hasMap(result.status)) {
     std::printf("%s\n", result.message.c_str());
     return 3;
   }

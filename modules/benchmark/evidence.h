@@ -18,8 +18,8 @@ struct EvidenceRow {
   BenchmarkModel model;
   std::string input;      ///< mesh, cloud or mesh_as_cloud
   std::size_t number = 0; ///< of the interpretation, from 0
-  bool is_cut = false;    ///< a limb was cut off: no map is right
-  double rate = 0.0;      ///< Correspondence Rate; 0 where a limb was cut off
+  bool is_cut = false;    ///< a limb was cut off: no map is right as a whole
+  double rate = 0.0;      ///< Correspondence Rate; where a limb was cut off, of the pairs that are left
   float confidence = 0.0F;
   std::vector<std::pair<std::string, float>> measures; ///< namedMeasures ()
 };

@@ -12,7 +12,7 @@ namespace symmetry {
 struct ModelInput {
   Surface mesh;           ///< as in the file; maps are scored on it
   DisturbedSurface input; ///< what the estimation gets
-  GroundTruth asked;      ///< what is scored; empty without ground truth or after a limb was cut off
+  GroundTruth asked; ///< what is scored; empty without ground truth; after a limb was cut off the pairs that are left
 };
 
 /** \brief Reads a model and its ground truth and disturbs it.

@@ -32,6 +32,7 @@ constexpr EnumName<PairingFeature> pairing_names[] = {{PairingFeature::AverageGe
                                                       {PairingFeature::BySurfaceSize, "size"}};
 
 constexpr EnumName<SymmetryStatus> status_names[] = {{SymmetryStatus::Symmetric, "symmetric"},
+                                                     {SymmetryStatus::PartlySymmetric, "partly_symmetric"},
                                                      {SymmetryStatus::NoSymmetry, "no_symmetry"},
                                                      {SymmetryStatus::TooFewPoints, "too_few_points"},
                                                      {SymmetryStatus::Cancelled, "cancelled"}};

@@ -21,7 +21,10 @@ struct MapEstimate {
   float known_holes = 0.0F;          ///< share of the samples into whose cells holes of a mesh reach; 0 for a cloud
   float unsupported_share = 0.0F;    ///< of the area: parts without a counterpart, see Support
   float supported_confidence = 0.0F; ///< of the map of the rest; map_confidence where all is supported
+  bool is_partial = false;           ///< see MapJudge::judgeSupport ()
+  float trust = 0.0F;                ///< share of the surface that can be expected to be right under the map
   std::vector<char> is_unsupported;  ///< per point
+  std::vector<float> support;        ///< per point, as SymmetryResult::support
   std::vector<Index> partners;       ///< empty where the staged method was asked for sparse matches only
   std::vector<float> confidences;    ///< per point, in [0, 1]
   std::vector<float> side_function;  ///< positive on the source side, negative on the target side, 0 undecided

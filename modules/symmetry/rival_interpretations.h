@@ -6,6 +6,7 @@
 #include "symmetry/map_estimate.h"
 #include "symmetry/surface/prepared_surface.h"
 
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -83,7 +84,8 @@ private:
 
   Pooling pooling_;
   std::vector<Rival> rivals_;
-  std::size_t interpretations_ = 0; ///< added so far
+  std::optional<Interpretation> partial_; ///< by votes: the one with the most trusted partial map
+  std::size_t interpretations_ = 0;       ///< added so far
 };
 
 } // namespace symmetry

@@ -125,6 +125,7 @@ TEST_F(IntrinsicSymmetryOptions, QuietSaysNothingButErrors)
   SymmetryResult none;
   none.partners.assign(surface.size(), no_index);
   none.confidences.assign(surface.size(), 0.0F);
+  none.support.assign(surface.size(), 0.0F);
   none.sides.assign(surface.size(), Side::None);
   none.regions.assign(surface.size(), Region::None);
   writeLabelledSurface(sphere, surface, none);

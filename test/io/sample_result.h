@@ -29,6 +29,7 @@ roofSymmetry()
   result.confidence = 0.9F;
   result.partners = {4, 5, 2, no_index, 0, 1};
   result.confidences = {1.0F, 0.75F, 0.5F, 0.0F, 1.0F, 0.1F};
+  result.support = {1.0F, 0.9F, 0.8F, 0.0F, 0.25F, 0.5F};
   result.sides = {Side::Source, Side::Source, Side::Axis, Side::Axis, Side::Target, Side::Target};
   result.regions = {Region::Source1, Region::Source2, Region::Centre, Region::None, Region::Target1, Region::Target2};
   result.matches = {{0, 4, 2, 0.25F}, {1, 5, no_index, 0.0F}};

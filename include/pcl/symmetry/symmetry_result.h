@@ -17,13 +17,15 @@ namespace symmetry {
 
 /** \brief Outcome of an estimation; a caller's mistake is an exception instead. */
 enum class SymmetryStatus {
-  Symmetric,    ///< a reflective symmetry was found
+  Symmetric, ///< a reflective symmetry was found
+  /** A reflection explains more than half of the surface; parts without a counterpart are named and have no partner. */
+  PartlySymmetric,
   NoSymmetry,   ///< the surface has none, or none that can be trusted
   TooFewPoints, ///< less than the method needs, after what is unusable was left out
   Cancelled     ///< the progress callback asked to stop
 };
 
-/** \brief Name of a status as it appears in reports: symmetric, no_symmetry, too_few_points, cancelled. */
+/** \brief Name of a status as it appears in reports: symmetric, partly_symmetric, no_symmetry, too_few_points, cancelled. */
 PCL_SYMMETRY_EXPORTS const char*
 toString(SymmetryStatus status);
 
@@ -76,6 +78,21 @@ struct MapSummary {
   float isometry_error = 0.0F; ///< mean |d (p, q) - d (m (p), m (q))| over pairs of landmarks, share of the diameter
 };
 
+/** \brief A connected part of the surface that has no counterpart under the map. */
+struct UnsupportedPart {
+  std::size_t points = 0; ///< of the surface that was solved for
+  float share = 0.0F;     ///< of the area of the surface
+  float extent = 0.0F;    ///< distance of its extreme point from the rest along the surface, in the unit of the points
+  Index extreme = no_index; ///< the point farthest from the rest: the tip of an odd limb
+};
+
+/** \brief Whether a status comes with a map: Symmetric or PartlySymmetric. */
+constexpr bool
+hasMap(SymmetryStatus status)
+{
+  return status == SymmetryStatus::Symmetric || status == SymmetryStatus::PartlySymmetric;
+}
+
 /** \brief One of several symmetries of a surface. */
 struct AlternativeMap {
   std::vector<Index> partners;      ///< as SymmetryResult::partners; a rotation need not be its own inverse
@@ -87,22 +104,26 @@ struct AlternativeMap {
 /** \brief The result of one estimation.
  *
  * Every per-point array has one entry per point of the input, whatever was left out on the way: left-out points have
- * partner -1, Side::None, Region::None and confidence 0. Unless the status is Symmetric the arrays hold
- * nothing but such entries.
+ * partner -1, Side::None, Region::None and confidence 0. Unless there is a map, see hasMap (), the arrays
+ * hold nothing but such entries.
  * \ingroup symmetry
  */
 struct SymmetryResult {
-  SymmetryStatus status = SymmetryStatus::TooFewPoints; ///< look at it first: not Symmetric means there is no map
+  SymmetryStatus status = SymmetryStatus::TooFewPoints; ///< look at it first, see hasMap ()
   std::string message;     ///< for a person: why the status is not Symmetric, or what was noticed
   float confidence = 0.0F; ///< of the whole map, in [0, 1]; below two thirds a cloud may well have no symmetry
 
   std::vector<SymmetricMatch> matches; ///< sparse correspondences, spread over the source side
   std::vector<Index> partners;         ///< dense map
   std::vector<float> confidences;      ///< per point, in [0, 1]
-  std::vector<Side> sides;             ///< per point; which half is called the source side is arbitrary
-  std::vector<Region> regions;         ///< per point
-  std::vector<Polyline> axis;          ///< the symmetry axis curve, longest part first
+  /** Per point, in [0, 1]: how well its surroundings have a counterpart, by how little the map changes distances there;
+   * 0 in the parts that are left out and for points that took no part. */
+  std::vector<float> support;
+  std::vector<Side> sides;        ///< per point; which half is called the source side is arbitrary
+  std::vector<Region> regions;    ///< per point
+  std::vector<Polyline> axis;     ///< the symmetry axis curve, longest part first
   std::vector<Index> extremities; ///< ends of limbs: source, target, source, target; fewer where there are fewer limbs
+  std::vector<UnsupportedPart> unsupported; ///< of a partial map, the largest first
   std::vector<AlternativeMap> alternatives; ///< on request: the reflections, best first; the first is the map above
   std::vector<AlternativeMap> rotations;    ///< on request: maps that keep the orientation, best first
 

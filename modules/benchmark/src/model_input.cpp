@@ -57,8 +57,9 @@ readModel(const BenchmarkModel& model, const RunOptions& options)
   if (options.as_cloud) {
     result.input.surface.triangles.clear();
   }
-  if (!truth.empty() && !options.cut_limb) {
-    result.asked = selectTruth(truth, result.input.origins, result.mesh.size(), options.disturbance.holes > 0);
+  if (!truth.empty()) {
+    const bool with_partner = options.disturbance.holes > 0 || options.cut_limb.has_value();
+    result.asked = selectTruth(truth, result.input.origins, result.mesh.size(), with_partner);
   }
   return result;
 }

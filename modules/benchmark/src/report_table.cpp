@@ -145,6 +145,7 @@ printRefusals(std::ostream& out, const std::vector<ModelRun>& runs)
   struct Counts {
     std::size_t models = 0;
     std::size_t refused = 0;
+    std::size_t partial = 0;
     std::size_t doubted = 0;
   };
   std::map<std::string, Counts> sets;
@@ -154,14 +155,15 @@ printRefusals(std::ostream& out, const std::vector<ModelRun>& runs)
     Counts& counts = sets[run.model.set];
     ++counts.models;
     counts.refused += run.status == SymmetryStatus::NoSymmetry ? 1 : 0;
+    counts.partial += run.status == SymmetryStatus::PartlySymmetric ? 1 : 0;
     counts.doubted += run.status == SymmetryStatus::Symmetric && run.confidence < doubtful ? 1 : 0;
   }
-  out << left("set", name_width) << right("models", 7) << right("refused", 9) << right("conf. < 0.5", 13)
-      << right("more", 6) << '\n';
+  out << left("set", name_width) << right("models", 7) << right("refused", 9) << right("partial", 9)
+      << right("conf. < 0.5", 13) << right("more", 6) << '\n';
   for (const auto& [set, counts] : sets)
     out << left(set, name_width) << right(std::to_string(counts.models), 7) << right(std::to_string(counts.refused), 9)
-        << right(std::to_string(counts.doubted), 13)
-        << right(std::to_string(counts.models - counts.refused - counts.doubted), 6) << '\n';
+        << right(std::to_string(counts.partial), 9) << right(std::to_string(counts.doubted), 13)
+        << right(std::to_string(counts.models - counts.refused - counts.partial - counts.doubted), 6) << '\n';
 }
 
 void

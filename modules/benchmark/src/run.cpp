@@ -38,7 +38,7 @@ runAndScore(ModelRun& run, const RunOptions& options)
   run.points = model.mesh.size();
   run.faces = model.mesh.triangles.size();
   takeResult(run, estimateIntrinsicSymmetry(model.input.surface, options.parameters), model.input.origins);
-  if (!model.asked.empty()) {
+  if (!model.asked.empty() && !options.cut_limb) {
     run.score = scoreMap(model.mesh, model.asked, run.partners, options.parameters.threads);
   }
 }

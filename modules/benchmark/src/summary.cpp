@@ -26,7 +26,7 @@ summariseRun(const ModelRun& run)
   summary.class_name = run.model.class_name;
   summary.models = 1;
   summary.failed = run.failure.empty() ? 0 : 1;
-  summary.symmetric = run.failure.empty() && run.status == SymmetryStatus::Symmetric ? 1 : 0;
+  summary.symmetric = run.failure.empty() && hasMap(run.status) ? 1 : 0;
   summary.correspondence_rate = run.correspondenceRate();
   summary.mesh_rate = run.score && run.score->isRight() ? 1.0 : 0.0;
   summary.mean_geodesic_error = run.score ? run.score->meanGeodesicError() : 1.0;

@@ -82,9 +82,13 @@ expandSelection(SymmetryResult& result, const Surface& surface, const std::vecto
   renumber(result.partners, selection);
   scatter(result.partners, selection, size, no_index);
   scatter(result.confidences, selection, size, 0.0F);
+  scatter(result.support, selection, size, 0.0F);
   scatter(result.sides, selection, size, Side::None);
   scatter(result.regions, selection, size, Region::None);
   renumber(result.extremities, selection);
+  for (UnsupportedPart& part : result.unsupported) {
+    part.extreme = selection[part.extreme];
+  }
   for (SymmetricMatch& match : result.matches) {
     match.source = selection[match.source];
     match.target = selection[match.target];

@@ -6,6 +6,8 @@
 #include "symmetry/confidence/map_evidence.h"
 #include "symmetry/samples/sampled_surface.h"
 
+#include <pcl/symmetry/symmetry_result.h>
+
 #include <utility>
 #include <vector>
 
@@ -55,6 +57,13 @@ weightOfHoles(float at_holes);
  * \param[in] known_holes share of the samples into whose cells holes reach, where faces tell */
 float
 leastMapConfidence(float known_holes);
+
+/** \brief What is measured on the finished map bounds its confidence from above, whatever the features say.
+ *
+ * A face that is torn apart has a corner whose partner is wrong; of a point and its partner from which the map does not
+ * lead back one has a wrong partner at least. So no more than 1 - torn and (1 + involution) / 2 of it can be right. */
+float
+confidenceBound(const MapSummary& map);
 
 /** \brief Share of the confidence that is left to a map that is not handed out: what spoke against it counts as well.
  */

@@ -18,8 +18,7 @@ struct SupportSettings {
    * bends changes distances across it by up to a third (a straight leg and one bent at a right angle differ by
    * 1 - cos 45 degrees). */
   float change = 0.4F;
-  float least_area = 0.005F;  ///< of a connected group of such places, share of the surface: less is noise of samples
-  float largest_share = 0.5F; ///< where more has no counterpart, the rest is not what the surface is
+  float least_area = 0.005F; ///< of a connected group of such places, share of the surface: less is noise of samples
 };
 
 /** \brief The parts without a counterpart: one entry per landmark. */

@@ -81,11 +81,11 @@ void
 scaleConfidences(MapEstimate& estimate, float share)
 {
   for (float& confidence : estimate.confidences) {
-    confidence *= share;
+    confidence = std::min(1.0F, confidence * share);
   }
   for (std::vector<AlternativeMap>* maps : {&estimate.alternatives, &estimate.rotations}) {
     for (AlternativeMap& map : *maps) {
-      map.confidence *= share;
+      map.confidence = std::min(1.0F, map.confidence * share);
     }
   }
 }
@@ -99,7 +99,10 @@ RivalInterpretations::add(Interpretation interpretation)
   const MapEstimate& estimate = interpretation.estimate;
   const bool by_odds = pooling_ == Pooling::Odds;
   const bool is_found = by_odds ? !estimate.partners.empty() : estimate.status == SymmetryStatus::Symmetric;
-  const float confidence = by_odds ? estimate.map_confidence : estimate.confidence;
+  const float confidence = by_odds ? estimate.trust : estimate.confidence;
+  if (!by_odds && estimate.is_partial && (!partial_ || estimate.trust > partial_->estimate.trust)) {
+    partial_ = interpretation;
+  }
   std::vector<Vector3> images = is_found ? imagesOfProbes(interpretation) : std::vector<Vector3>{};
   const auto same = std::find_if(rivals_.begin(), rivals_.end(), [&](const Rival& rival) {
     return is_found == rival.is_found && areAlike(images, rival.images);
@@ -129,7 +132,7 @@ RivalInterpretations::isSettled() const
     return true;
   }
   if (pooling_ == Pooling::Odds) {
-    return shareOfOdds(best) >= settled_by_odds;
+    return !estimate.is_partial && shareOfOdds(best) >= settled_by_odds;
   }
   constexpr float beyond_doubt = 0.9F;
   constexpr float sure_together = 2.0F; // three interpretations that agree, each sure enough alone
@@ -154,14 +157,21 @@ RivalInterpretations::takeBest()
 {
   const std::size_t best = bestRival();
   Interpretation interpretation = std::move(rivals_[best].interpretation);
-  if (interpretation.estimate.status == SymmetryStatus::TooFewPoints || interpretations_ == 1) {
+  MapEstimate& estimate = interpretation.estimate;
+  if (estimate.status == SymmetryStatus::TooFewPoints) {
     return interpretation;
   }
   if (pooling_ == Pooling::Odds) {
     takeOdds(interpretation, shareOfOdds(best));
+    return interpretation;
   }
-  else if (interpretation.estimate.status == SymmetryStatus::Symmetric) {
+  if (estimate.status == SymmetryStatus::Symmetric && interpretations_ > 1) {
     takeVotes(interpretation, rivals_[best].evidence);
+  }
+  if (partial_ && partial_->estimate.trust > estimate.confidence) {
+    // What none explains as a whole, or hardly any, one may explain in part.
+    takeOdds(*partial_, partial_->estimate.trust);
+    return std::move(*partial_);
   }
   return interpretation;
 }
@@ -187,10 +197,9 @@ RivalInterpretations::takeOdds(Interpretation& interpretation, float confidence)
 {
   MapEstimate& estimate = interpretation.estimate;
   if (confidence >= leastMapConfidence(estimate.known_holes)) {
-    const float share = estimate.map_confidence > 0.0F ? confidence / estimate.map_confidence : 0.0F;
-    estimate.status = SymmetryStatus::Symmetric;
-    estimate.message.clear();
-    scaleConfidences(estimate, share);
+    estimate.status = estimate.is_partial ? SymmetryStatus::PartlySymmetric : SymmetryStatus::Symmetric;
+    estimate.message = estimate.is_partial ? "a part of the surface has no counterpart" : "";
+    scaleConfidences(estimate, estimate.map_confidence > 0.0F ? confidence / estimate.map_confidence : 0.0F);
     estimate.confidence = confidence;
     return;
   }

@@ -57,7 +57,7 @@ estimateRobust(const PreparedSurface& surface,
   // Deliver: from the samples to all points, also where the map is refused: other interpretations may speak for it.
   timer.start("dense", 0.8);
   deliverMap(sampled, contenders.front().samples, estimate);
-  if (estimate.status == SymmetryStatus::Symmetric && parameters.alternatives > 1 && !parameters.sparse_only) {
+  if (parameters.alternatives > 1 && !parameters.sparse_only) {
     deliverAlternatives(sampled, refinement, judge, contenders.front(), candidates, settings.search,
                         static_cast<std::size_t>(parameters.alternatives), estimate);
   }

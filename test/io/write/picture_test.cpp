@@ -63,6 +63,7 @@ sphereSymmetry(const Surface& sphere)
   SymmetryResult result;
   result.status = SymmetryStatus::Symmetric;
   result.confidences.assign(sphere.size(), 1.0F);
+  result.support.assign(sphere.size(), 1.0F);
   result.regions.assign(sphere.size(), Region::None);
   Polyline axis;
   for (std::size_t i = 0; i < sphere.size(); ++i) {
@@ -114,6 +115,7 @@ TEST_F(Picture, WithoutASymmetryIsGrey)
   SymmetryResult result;
   result.partners.assign(sphere.size(), no_index);
   result.confidences.assign(sphere.size(), 0.0F);
+  result.support.assign(sphere.size(), 0.0F);
   result.sides.assign(sphere.size(), Side::None);
   result.regions.assign(sphere.size(), Region::None);
   const Census census = draw(sphere, result);

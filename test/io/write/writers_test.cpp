@@ -57,6 +57,7 @@ expectFields(const PCLPointCloud2& cloud)
   for (std::size_t i = 0; i < result.partners.size(); ++i) {
     EXPECT_EQ(fieldValue<std::int32_t>(cloud, "partner", i), result.partners[i]);
     EXPECT_EQ(fieldValue<float>(cloud, "confidence", i), result.confidences[i]);
+    EXPECT_EQ(fieldValue<float>(cloud, "support", i), result.support[i]);
     EXPECT_EQ(fieldValue<std::uint8_t>(cloud, "region", i), static_cast<std::uint8_t>(result.regions[i]));
   }
 }

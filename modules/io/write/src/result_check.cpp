@@ -31,6 +31,7 @@ checkResult(const SymmetryResult& result, std::size_t points)
 {
   checkSize("partners", result.partners.size(), points);
   checkSize("confidences", result.confidences.size(), points);
+  checkSize("support values", result.support.size(), points);
   checkSize("sides", result.sides.size(), points);
   checkSize("regions", result.regions.size(), points);
   for (const Index partner : result.partners)

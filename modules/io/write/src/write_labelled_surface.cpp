@@ -19,6 +19,7 @@ appendLabels(std::string& bytes, const SymmetryResult& result, std::size_t point
   appendBytes(bytes, result.partners[point]);
   appendBytes(bytes, result.confidences[point]);
   appendBytes(bytes, static_cast<std::uint8_t>(result.regions[point]));
+  appendBytes(bytes, result.support[point]);
 }
 
 std::string
@@ -27,13 +28,15 @@ plyHeader(const Surface& surface)
   std::string header = "ply\nformat binary_little_endian 1.0\n"
                        "comment label: 0 none, 1 source side, 2 target side, 3 axis\n"
                        "comment partner: number of the symmetric vertex, -1 none\n"
+                       "comment support: 0 to 1, how well its surroundings have a counterpart\n"
                        "comment region: 0 none, 1 to 4 the limbs source1 target1 source2 target2, 5 centre\n";
   header += "element vertex " + std::to_string(surface.size()) + "\n";
   header += "property float x\nproperty float y\nproperty float z\n";
   if (!surface.normals.empty())
     header += "property float nx\nproperty float ny\nproperty float nz\n";
   header += "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-            "property uint label\nproperty int partner\nproperty float confidence\nproperty uchar region\n";
+            "property uint label\nproperty int partner\nproperty float confidence\nproperty uchar region\nproperty "
+            "float support\n";
   if (surface.hasFaces())
     header += "element face " + std::to_string(surface.triangles.size()) + "\nproperty list uchar int vertex_indices\n";
   return header + "end_header\n";
@@ -43,7 +46,7 @@ std::string
 toPly(const Surface& surface, const SymmetryResult& result)
 {
   std::string bytes = plyHeader(surface);
-  bytes.reserve(bytes.size() + 40 * surface.size() + 13 * surface.triangles.size());
+  bytes.reserve(bytes.size() + 44 * surface.size() + 13 * surface.triangles.size());
   for (std::size_t i = 0; i < surface.size(); ++i) {
     appendBytes(bytes, surface.points[i]);
     if (!surface.normals.empty())
@@ -72,12 +75,12 @@ toPcd(const Surface& surface, const SymmetryResult& result)
   const std::string points = std::to_string(surface.size());
   std::string bytes = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n";
   bytes += std::string("FIELDS x y z") + (has_normals ? " normal_x normal_y normal_z" : "") +
-           " rgb label partner confidence region\n";
-  bytes += std::string("SIZE 4 4 4") + (has_normals ? " 4 4 4" : "") + " 4 4 4 4 1\n";
-  bytes += std::string("TYPE F F F") + (has_normals ? " F F F" : "") + " F U I F U\n";
-  bytes += std::string("COUNT 1 1 1") + (has_normals ? " 1 1 1" : "") + " 1 1 1 1 1\n";
+           " rgb label partner confidence region support\n";
+  bytes += std::string("SIZE 4 4 4") + (has_normals ? " 4 4 4" : "") + " 4 4 4 4 1 4\n";
+  bytes += std::string("TYPE F F F") + (has_normals ? " F F F" : "") + " F U I F U F\n";
+  bytes += std::string("COUNT 1 1 1") + (has_normals ? " 1 1 1" : "") + " 1 1 1 1 1 1\n";
   bytes += "WIDTH " + points + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + points + "\nDATA binary\n";
-  bytes.reserve(bytes.size() + 41 * surface.size());
+  bytes.reserve(bytes.size() + 45 * surface.size());
   for (std::size_t i = 0; i < surface.size(); ++i) {
     appendBytes(bytes, surface.points[i]);
     if (has_normals)

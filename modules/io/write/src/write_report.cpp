@@ -63,6 +63,18 @@ describeMap(const SymmetryResult& result)
 }
 
 Json
+describeUnsupported(const std::vector<UnsupportedPart>& parts)
+{
+  Json list = Json::array();
+  for (const UnsupportedPart& part : parts)
+    list.push_back({{"points", part.points},
+                    {"share", toJson(part.share)},
+                    {"extent", toJson(part.extent)},
+                    {"extreme_point", part.extreme}});
+  return list;
+}
+
+Json
 describeAlternatives(const std::vector<AlternativeMap>& alternatives)
 {
   Json list = Json::array();
@@ -123,6 +135,8 @@ writeReport(const std::string& path,
                  {"input", describeInput(input_file, result.input)},
                  {"map", describeMap(result)},
                  {"matches", result.matches.size()}};
+  if (!result.unsupported.empty())
+    report["unsupported"] = describeUnsupported(result.unsupported);
   if (result.alternatives.size() > 1) {
     report["alternatives"] = describeAlternatives(result.alternatives);
     report["rotations"] = describeAlternatives(result.rotations);

@@ -91,6 +91,12 @@ mapConfidence(const MapEvidence& evidence)
 }
 
 float
+confidenceBound(const MapSummary& map)
+{
+  return std::clamp(std::min(1.0F - map.torn_faces, 0.5F + 0.5F * map.involution), 0.0F, 1.0F);
+}
+
+float
 weightOfHoles(float at_holes)
 {
   const RefusalCalibration& c = refusal_calibration;

@@ -1,0 +1,79 @@
+#include "symmetry/confidence/unsupported_parts.h"
+
+#include "base/union_find.h"
+#include "base/vector_math.h"
+#include "geodesic/shortest_paths.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** A third of the area of the triangles around every point; all alike where there are no triangles. */
+std::vector<float>
+pointAreas(const PreparedSurface& surface)
+{
+  if (surface.triangles.empty()) {
+    return std::vector<float>(surface.size(), 1.0F);
+  }
+  std::vector<float> areas(surface.size(), 0.0F);
+  for (const Triangle& t : surface.triangles) {
+    const Vector3& a = surface.points[t[0]];
+    const float area = norm(cross(surface.points[t[1]] - a, surface.points[t[2]] - a)) / 6.0F;
+    for (const Index v : t) {
+      areas[v] += area;
+    }
+  }
+  return areas;
+}
+
+} // namespace
+
+std::vector<UnsupportedPart>
+unsupportedParts(const PreparedSurface& surface, const std::vector<char>& is_unsupported)
+{
+  std::vector<Index> supported;
+  UnionFind groups(surface.size());
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    if (is_unsupported[v] == 0) {
+      supported.push_back(static_cast<Index>(v));
+      continue;
+    }
+    for (const Index w : surface.graph.neighboursOf(static_cast<Index>(v))) {
+      if (is_unsupported[w] != 0) {
+        groups.join(static_cast<Index>(v), w);
+      }
+    }
+  }
+  const std::vector<float> from_supported = distanceField(surface.graph, supported);
+  const std::vector<float> areas = pointAreas(surface);
+  std::vector<UnsupportedPart> by_group(surface.size());
+  double all = 0.0;
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    all += areas[v];
+    if (is_unsupported[v] == 0) {
+      continue;
+    }
+    UnsupportedPart& part = by_group[groups.find(static_cast<Index>(v))];
+    ++part.points;
+    part.share += areas[v];
+    if (std::isfinite(from_supported[v]) && (part.extreme == no_index || from_supported[v] > part.extent)) {
+      part.extent = from_supported[v];
+      part.extreme = static_cast<Index>(v);
+    }
+  }
+  std::vector<UnsupportedPart> parts;
+  std::copy_if(by_group.begin(), by_group.end(), std::back_inserter(parts),
+               [](const UnsupportedPart& part) { return part.points > 0 && part.extreme != no_index; });
+  for (UnsupportedPart& part : parts) {
+    part.share = all > 0.0 ? part.share / static_cast<float>(all) : 0.0F;
+  }
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const UnsupportedPart& a, const UnsupportedPart& b) { return a.share > b.share; });
+  return parts;
+}
+
+} // namespace symmetry
+} // namespace pcl
