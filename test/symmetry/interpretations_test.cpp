@@ -1,6 +1,10 @@
 #include "symmetry/interpretations.h"
 
+#include "cloud/clouds.h"
+
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 using namespace pcl::symmetry;
 
@@ -38,43 +42,74 @@ octahedron()
   return surface;
 }
 
+/** What a search that finds little makes of a surface. */
 Interpretation
-unsettled(PreparedSurface surface, float known_holes)
+unsettled(InterpretationPlan::Attempt attempt)
 {
   Interpretation interpretation;
-  interpretation.surface = std::move(surface);
-  interpretation.estimate.known_holes = known_holes;
+  interpretation.surface = std::move(attempt.surface);
+  interpretation.estimate.partners.assign(interpretation.surface.size(), 0);
+  interpretation.estimate.map_confidence = 0.1F;
+  interpretation.estimate.trust = 0.1F;
   return interpretation;
 }
 
-TEST(InterpretationPlan, AMeshWithoutHolesIsTakenAsItIs)
+NeighbourLists
+search(const std::vector<Vector3>& points, int k)
+{
+  return test::nearestNeighbours(points, k);
+}
+
+TEST(InterpretationPlan, AMeshInDoubtIsReadAsACloudAndSampledOtherwise)
 {
   const Surface surface = octahedron();
   const SymmetryParameters parameters;
-  const NeighbourSearch search;
-  InterpretationPlan plan(surface, parameters, search);
-  RivalInterpretations rivals;
-  std::optional<PreparedSurface> first = plan.next(rivals);
-  ASSERT_TRUE(first.has_value());
-  EXPECT_FALSE(first->is_cloud);
-  EXPECT_EQ(first->size(), surface.size());
-  rivals.add(unsettled(std::move(*first), 0.0F));
-  EXPECT_FALSE(plan.next(rivals).has_value());
-  EXPECT_FALSE(plan.next(rivals).has_value());
+  const NeighbourSearch neighbours = search;
+  InterpretationPlan plan(surface, parameters, neighbours);
+  EXPECT_EQ(plan.pooling(), Pooling::Odds);
+  RivalInterpretations rivals(plan.pooling());
+  std::vector<bool> is_cloud;
+  std::vector<float> samples;
+  while (std::optional<InterpretationPlan::Attempt> attempt = plan.next(rivals)) {
+    is_cloud.push_back(attempt->surface.is_cloud);
+    samples.push_back(attempt->samples);
+    rivals.add(unsettled(std::move(*attempt)));
+  }
+  ASSERT_GE(is_cloud.size(), 4U);
+  EXPECT_LE(is_cloud.size(), 7U);
+  EXPECT_FALSE(is_cloud.front());
+  EXPECT_EQ(samples.front(), 1.0F);
+  EXPECT_TRUE(is_cloud[1]);
+  EXPECT_FALSE(is_cloud.back());
+  EXPECT_LT(*std::min_element(samples.begin(), samples.end()), 0.8F);
+  EXPECT_GT(samples.back(), 1.2F);
 }
 
 TEST(InterpretationPlan, NothingIsTriedAfterWhatIsBeyondDoubt)
 {
   const Surface surface = octahedron();
   const SymmetryParameters parameters;
-  const NeighbourSearch search;
-  InterpretationPlan plan(surface, parameters, search);
-  RivalInterpretations rivals;
-  Interpretation sure = unsettled(*plan.next(rivals), 0.5F);
+  const NeighbourSearch neighbours = search;
+  InterpretationPlan plan(surface, parameters, neighbours);
+  RivalInterpretations rivals(plan.pooling());
+  Interpretation sure = unsettled(*plan.next(rivals));
   sure.estimate.status = SymmetryStatus::Symmetric;
-  sure.estimate.confidence = 0.99F;
+  sure.estimate.trust = 0.99F;
   sure.estimate.partners = {1, 0, 2, 3, 4, 5};
   rivals.add(std::move(sure));
+  EXPECT_FALSE(plan.next(rivals).has_value());
+}
+
+TEST(InterpretationPlan, TheStagedMethodTakesASurfaceAsItIs)
+{
+  const Surface surface = octahedron();
+  SymmetryParameters parameters;
+  parameters.method = Method::Staged;
+  const NeighbourSearch neighbours = search;
+  InterpretationPlan plan(surface, parameters, neighbours);
+  EXPECT_EQ(plan.pooling(), Pooling::Votes);
+  RivalInterpretations rivals(plan.pooling());
+  rivals.add(unsettled(*plan.next(rivals)));
   EXPECT_FALSE(plan.next(rivals).has_value());
 }
 

@@ -206,4 +206,82 @@ TEST(RivalInterpretations, TooFewPointsSettleAtOnce)
   EXPECT_TRUE(rivals.isSettled());
 }
 
+/** As interpretationOf (), with a map whether it is refused or not. */
+Interpretation
+mapOf(Index first, float trust, bool is_partial = false)
+{
+  Interpretation interpretation = interpretationOf(first, trust);
+  interpretation.estimate.map_confidence = trust;
+  interpretation.estimate.trust = trust;
+  interpretation.estimate.is_partial = is_partial;
+  interpretation.estimate.confidences.assign(number, trust);
+  return interpretation;
+}
+
+TEST(RivalsByOdds, OneThatIsSureIsEnough)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(mapOf(0, 0.9F));
+  EXPECT_TRUE(rivals.isSettled());
+  const Interpretation best = rivals.takeBest();
+  EXPECT_EQ(best.estimate.status, SymmetryStatus::Symmetric);
+  EXPECT_NEAR(best.estimate.confidence, 0.9F, 1e-4F);
+}
+
+TEST(RivalsByOdds, TheBestSpeaksForItsMapHoweverManyAreDoubtful)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(mapOf(100, 0.1F));
+  rivals.add(mapOf(100, 0.1F));
+  rivals.add(mapOf(0, 0.6F));
+  rivals.add(mapOf(100, 0.1F));
+  const Interpretation best = rivals.takeBest();
+  EXPECT_EQ(best.estimate.partners[0], 0);
+  EXPECT_NEAR(best.estimate.confidence, 1.5F / (1.0F + 1.5F + 1.0F / 9.0F), 1e-4F);
+}
+
+TEST(RivalsByOdds, MapsExcludeEachOther)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(mapOf(0, 0.7F));
+  rivals.add(mapOf(100, 0.7F));
+  EXPECT_FALSE(rivals.isSettled());
+  const Interpretation best = rivals.takeBest();
+  EXPECT_LT(best.estimate.confidence, 0.5F);
+  EXPECT_NEAR(best.estimate.confidences[0], best.estimate.confidence, 1e-4F);
+}
+
+TEST(RivalsByOdds, WhatIsDoubtfulThroughoutIsNoSymmetry)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(mapOf(0, 0.2F));
+  rivals.add(mapOf(0, 0.25F));
+  const Interpretation best = rivals.takeBest();
+  EXPECT_EQ(best.estimate.status, SymmetryStatus::NoSymmetry);
+  EXPECT_LT(best.estimate.confidence, 0.1F);
+}
+
+TEST(RivalsByOdds, APartialMapIsTakenButSettlesNothing)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(mapOf(0, 0.9F, true));
+  EXPECT_FALSE(rivals.isSettled());
+  rivals.add(mapOf(100, 0.3F));
+  EXPECT_EQ(rivals.takeBest().estimate.status, SymmetryStatus::PartlySymmetric);
+}
+
+TEST(RivalsByVotes, APartialMapSpeaksWhereNoneIsFound)
+{
+  RivalInterpretations rivals;
+  Interpretation partial = interpretationOf(0, 0.02F, SymmetryStatus::NoSymmetry);
+  partial.estimate.is_partial = true;
+  partial.estimate.trust = 0.8F;
+  partial.estimate.map_confidence = 0.2F;
+  rivals.add(std::move(partial));
+  rivals.add(interpretationOf(0, 0.03F, SymmetryStatus::NoSymmetry));
+  const Interpretation best = rivals.takeBest();
+  EXPECT_EQ(best.estimate.status, SymmetryStatus::PartlySymmetric);
+  EXPECT_NEAR(best.estimate.confidence, 0.8F, 1e-4F);
+}
+
 } // namespace

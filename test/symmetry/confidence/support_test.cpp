@@ -1,0 +1,154 @@
+// Local change of distances, support, and the parts that are left out.
+#include "symmetry/confidence/support.h"
+
+#include "support/coarse_body.h"
+#include "support/human.h"
+#include "symmetry/confidence/local_change.h"
+#include "symmetry/confidence/unsupported_parts.h"
+#include "symmetry/refine/sample_refinement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+/** The partner point of every sample. */
+std::vector<Index>
+truePartners(const CoarseBody& body)
+{
+  std::vector<Index> partners;
+  for (const Index v : body.coarse.cells.vertices) {
+    partners.push_back(body.model.partners[v]);
+  }
+  return partners;
+}
+
+SampleEstimate
+estimateOf(const CoarseBody& body)
+{
+  SampleEstimate estimate;
+  estimate.partners = truePartners(body);
+  estimate.landmark_map = body.trueMap();
+  return estimate;
+}
+
+/** The landmarks within a geodesic radius (share of the diameter) of one. */
+std::vector<char>
+around(const CoarseBody& body, Index landmark, float radius)
+{
+  std::vector<char> marks;
+  for (std::size_t i = 0; i < body.landmarks.size(); ++i) {
+    marks.push_back(static_cast<char>(body.landmarks.distances(static_cast<Eigen::Index>(i), landmark) <
+                                      radius * body.landmarks.diameter));
+  }
+  return marks;
+}
+
+TEST(LocalDistanceChange, IsSmallEverywhereUnderTheTrueMap)
+{
+  const CoarseBody& body = human();
+  const std::vector<float> change = localDistanceChange(body.sampled(1), truePartners(body));
+  ASSERT_EQ(change.size(), body.landmarks.size());
+  EXPECT_LT(*std::max_element(change.begin(), change.end()), SupportSettings{}.change);
+  EXPECT_EQ(change, localDistanceChange(body.sampled(4), truePartners(body)));
+}
+
+TEST(LocalDistanceChange, OfTheIdentityIsNone)
+{
+  const CoarseBody& body = human();
+  for (const float change : localDistanceChange(body.sampled(), body.coarse.cells.vertices)) {
+    EXPECT_LT(change, 0.15F); // the points of the samples themselves, but for interpolation
+  }
+}
+
+TEST(LocalDistanceChange, IsLargeWhereALimbIsSentToItsRoot)
+{
+  const CoarseBody& body = human();
+  const Index extremity = body.landmarks.extremities.front();
+  const std::vector<char> limb = around(body, extremity, 0.15F);
+  std::vector<Index> partners = truePartners(body);
+  Index root = no_index;
+  for (std::size_t i = 0; i < limb.size() && root == no_index; ++i) {
+    const float d = body.landmarks.distances(static_cast<Eigen::Index>(i), extremity) / body.landmarks.diameter;
+    root = d > 0.2F && d < 0.3F ? body.model.partners[body.coarse.cells.vertices[i]] : no_index;
+  }
+  ASSERT_NE(root, no_index);
+  for (std::size_t i = 0; i < limb.size(); ++i) {
+    partners[i] = limb[i] != 0 ? root : partners[i];
+  }
+  const std::vector<float> change = localDistanceChange(body.sampled(), partners);
+  EXPECT_GT(change[extremity], SupportSettings{}.change);
+}
+
+TEST(FindSupport, LeavesNothingOutWhereNothingChanges)
+{
+  const CoarseBody& body = human();
+  const std::vector<float> none(body.landmarks.size(), 0.1F);
+  const Support support = findSupport(body.sampled(), estimateOf(body), none);
+  EXPECT_EQ(support.unsupported_share, 0.0F);
+  EXPECT_EQ(std::count(support.is_unsupported.begin(), support.is_unsupported.end(), 1), 0);
+}
+
+TEST(FindSupport, SingleLandmarksAreNoise)
+{
+  const CoarseBody& body = human();
+  std::vector<float> change(body.landmarks.size(), 0.1F);
+  change[7] = 5.0F;
+  EXPECT_EQ(findSupport(body.sampled(), estimateOf(body), change).unsupported_share, 0.0F);
+}
+
+TEST(FindSupport, TakesInWhatIsCutOffAndMirroredInItself)
+{
+  const CoarseBody& body = human();
+  const Index extremity = body.landmarks.extremities.front();
+  const std::vector<char> inner = around(body, extremity, 0.16F);
+  const std::vector<char> outer = around(body, extremity, 0.3F);
+  SampleEstimate estimate = estimateOf(body);
+  std::vector<float> change(body.landmarks.size(), 0.1F);
+  for (std::size_t i = 0; i < change.size(); ++i) {
+    change[i] = outer[i] != 0 && inner[i] == 0 ? 1.0F : 0.1F; // a ring at the root of a limb
+    if (outer[i] != 0) {
+      estimate.landmark_map[i] = static_cast<Index>(i); // which stands still
+    }
+  }
+  const Support support = findSupport(body.sampled(), estimate, change);
+  EXPECT_EQ(support.is_unsupported[extremity], 1);
+  EXPECT_GT(support.unsupported_share, 0.02F);
+  EXPECT_LT(support.unsupported_share, 0.3F);
+
+  // The same ring around a limb that has a counterpart takes in nothing but itself.
+  estimate.landmark_map = body.trueMap();
+  EXPECT_EQ(findSupport(body.sampled(), estimate, change).is_unsupported[extremity], 0);
+}
+
+TEST(UnsupportedParts, AreNamedByShareExtentAndExtremePoint)
+{
+  const CoarseBody& body = human();
+  const PreparedSurface& surface = body.surface;
+  const Index tip = body.coarse.cells.vertices[body.landmarks.extremities.front()];
+  const std::vector<float> from_tip = distanceField(surface.graph, tip);
+  std::vector<char> is_unsupported(surface.size(), 0);
+  std::size_t count = 0;
+  const float radius = 0.1F * body.landmarks.diameter;
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    is_unsupported[v] = static_cast<char>(from_tip[v] < radius);
+    count += static_cast<std::size_t>(is_unsupported[v]);
+  }
+  const std::vector<UnsupportedPart> parts = unsupportedParts(surface, is_unsupported);
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].points, count);
+  EXPECT_GT(parts[0].share, 0.0F);
+  EXPECT_LT(parts[0].share, 0.2F);
+  EXPECT_LE(parts[0].extent, 1.5F * radius);
+  EXPECT_GT(parts[0].extent, 0.5F * radius);
+  EXPECT_EQ(is_unsupported[parts[0].extreme], 1);
+  EXPECT_TRUE(unsupportedParts(surface, std::vector<char>(surface.size(), 0)).empty());
+  EXPECT_TRUE(unsupportedParts(surface, std::vector<char>(surface.size(), 1)).empty()) << "nothing to be far from";
+}
+
+} // namespace
