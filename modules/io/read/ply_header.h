@@ -34,8 +34,9 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format = PlyFormat::Text;
   std::vector<PlyElement> elements;
-  std::size_t end_byte = 0; ///< where the data begin
-  std::size_t end_line = 0; ///< number of the line that begins there
+  std::size_t end_byte = 0;       ///< where the data begin
+  std::size_t end_line = 0;       ///< number of the line that begins there
+  std::vector<std::string> notes; ///< what was passed over
 };
 
 /** \brief Reads the header and checks that all elements together may fit into the rest of the file.

@@ -4,6 +4,7 @@
 #include "io/read/text_scanner.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace pcl {
@@ -85,6 +86,28 @@ readProperty(TextScanner& text)
   return property;
 }
 
+/** \brief Whether a word is a keyword with one letter, or two, too many, too few, or other ones. */
+bool
+isMisspelled(const std::string& word)
+{
+  for (const std::string keyword : {"format", "element", "property", "end_header", "comment", "obj_info"}) {
+    // Levenshtein's distance, row by row.
+    std::vector<std::size_t> row(keyword.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < word.size() && i < 2 * keyword.size(); ++i) {
+      std::size_t diagonal = row[0]++;
+      for (std::size_t j = 0; j < keyword.size(); ++j) {
+        const std::size_t replaced = diagonal + (word[i] == keyword[j] ? 0 : 1);
+        diagonal = row[j + 1];
+        row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+      }
+    }
+    if (row.back() <= 2)
+      return true;
+  }
+  return false;
+}
+
 /** \brief Reads the lines between the first and end_header; true where one of them gave the format. */
 bool
 readStatements(TextScanner& text, PlyHeader& header)
@@ -107,8 +130,12 @@ readStatements(TextScanner& text, PlyHeader& header)
     else if (keyword == "property" && !header.elements.empty()) {
       header.elements.back().properties.push_back(readProperty(text));
     }
-    else {
+    else if (keyword == "property" || isMisspelled(toLower(keyword))) {
       text.fail("unexpected " + quoted(keyword) + " in the header");
+    }
+    else if (header.notes.empty()) { // the second line of a comment, mostly
+      header.notes.push_back("line " + std::to_string(text.line()) + ": lines of the header without keyword, first " +
+                             quoted(keyword) + ", were passed over");
     }
   }
 }

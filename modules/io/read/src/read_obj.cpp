@@ -9,8 +9,8 @@ namespace {
 /** \brief The surface as far as it is read, with what can only be judged at the end. */
 class ObjReader {
 public:
-  explicit ObjReader(const FileContent& file)
-      : file_(file), text_(file, {/*hash_comments=*/true, /*backslash_continues=*/true})
+  ObjReader(const FileContent& file, const Reading& reading)
+      : file_(file), origin_(reading.origin), text_(file, {/*hash_comments=*/true, /*backslash_continues=*/true})
   {
   }
 
@@ -34,27 +34,27 @@ private:
   {
     const std::string_view keyword = text_.word();
     if (keyword == "v") {
-      surface_.points.push_back(readVector());
+      surface_.points.push_back(readVector(origin_));
       while (!text_.atLineEnd())
         text_.number(); // weight or colour
       if (surface_.size() > most_points)
         text_.fail("more points than can be numbered");
     }
     else if (keyword == "vn") {
-      surface_.normals.push_back(readVector());
+      surface_.normals.push_back(readVector({0.0, 0.0, 0.0}));
       text_.needLineEnd();
     }
-    else if (keyword == "f") {
+    else if (keyword == "f" || keyword == "fo") { // fo: a face of the first versions of the format
       readFace();
     }
   }
 
   Vector3
-  readVector()
+  readVector(const std::array<double, 3>& origin)
   {
-    const float x = text_.number();
-    const float y = text_.number();
-    return {x, y, text_.number()};
+    const float x = text_.numberFrom(origin[0]);
+    const float y = text_.numberFrom(origin[1]);
+    return {x, y, text_.numberFrom(origin[2])};
   }
 
   void
@@ -68,7 +68,8 @@ private:
     appendPolygon(corners_, surface_.triangles);
   }
 
-  /** \brief Takes apart `v`, `v/vt`, `v//vn` or `v/vt/vn`. */
+  /** \brief Takes apart `v`, `v/vt`, `v//vn` or `v/vt/vn`; an empty index behind a slash, as in `v//` or `v/vt/`, is
+   * none. */
   Index
   readCorner(std::string_view word)
   {
@@ -80,8 +81,10 @@ private:
       const std::string_view texture = rest.substr(0, second_slash);
       if (!texture.empty())
         needInteger(word, texture);
-      if (second_slash != std::string_view::npos) {
-        const std::int64_t normal = readIndex(word, rest.substr(second_slash + 1), surface_.normals.size());
+      const std::string_view last =
+          second_slash == std::string_view::npos ? std::string_view() : rest.substr(second_slash + 1);
+      if (!last.empty()) {
+        const std::int64_t normal = readIndex(word, last, surface_.normals.size());
         normals_match_points_ = normals_match_points_ && normal == point;
       }
     }
@@ -113,6 +116,7 @@ private:
   }
 
   const FileContent& file_;
+  const std::array<double, 3>& origin_;
   TextScanner text_;
   Surface surface_;
   std::vector<Index> corners_;
@@ -124,9 +128,9 @@ private:
 } // namespace
 
 Surface
-readObj(const FileContent& file)
+readObj(const FileContent& file, Reading& reading)
 {
-  return ObjReader(file).read();
+  return ObjReader(file, reading).read();
 }
 
 } // namespace symmetry

@@ -22,16 +22,23 @@ public:
     text_.needLine("a further record");
   }
 
+  /** \brief Ends a line; \a lenient: what is left of it is passed over and counted. */
   void
-  endRecord()
+  endRecord(bool lenient)
   {
-    text_.needLineEnd();
+    if (lenient && !text_.atLineEnd()) {
+      first_surplus_ = surplus_ == 0 ? text_.line() : first_surplus_;
+      ++surplus_;
+    }
+    else {
+      text_.needLineEnd();
+    }
   }
 
   float
-  number(ScalarType /*type*/)
+  number(ScalarType /*type*/, double origin)
   {
-    return text_.number();
+    return text_.numberFrom(origin);
   }
 
   std::int64_t
@@ -54,10 +61,21 @@ public:
   }
 
   void
-  finish()
+  finish(std::vector<std::string>& notes)
   {
     if (text_.nextLine())
       text_.fail("unexpected " + quoted(text_.word()) + " behind the last record");
+    if (surplus_ > 0)
+      notes.push_back("line " + std::to_string(first_surplus_) +
+                      ": values behind those that the header announces were " + "passed over, here and in " +
+                      std::to_string(surplus_ - 1) + " further lines");
+  }
+
+  /** \brief Most records of an element that the rest of the file can hold. */
+  std::size_t
+  mostRecords(const PlyElement& element) const
+  {
+    return text_.remaining() / (2 * element.properties.size() + 6); // the least face is "3 0 1 2"
   }
 
   [[noreturn]] void
@@ -68,6 +86,8 @@ public:
 
 private:
   TextScanner text_;
+  std::size_t surplus_ = 0; ///< lines with more values than announced
+  std::size_t first_surplus_ = 0;
 };
 
 /** \brief Delivers the values of binary records. */
@@ -84,14 +104,14 @@ public:
   }
 
   void
-  endRecord()
+  endRecord(bool /*lenient*/)
   {
   }
 
   float
-  number(ScalarType type)
+  number(ScalarType type, double origin)
   {
-    return loadFloat(take(type, 1), type, swap_bytes_);
+    return loadFloat(take(type, 1), type, swap_bytes_, origin);
   }
 
   std::int64_t
@@ -112,8 +132,14 @@ public:
     return fitsInto(count, sizeOf(type), file_.size() - position_);
   }
 
+  std::size_t
+  mostRecords(const PlyElement& element) const
+  {
+    return (file_.size() - position_) / std::max<std::size_t>(element.properties.size(), 4); // three corners of a byte
+  }
+
   void
-  finish()
+  finish(std::vector<std::string>& /*notes*/)
   {
     // Bytes behind the last record are padding of some writers.
   }
@@ -171,10 +197,11 @@ useOf(const PlyElement& element, const PlyProperty& property)
   static const std::string positions[] = {"x", "y", "z"};
   static const std::string normals[] = {"nx", "ny", "nz"};
   if (element.name == "vertex" && !property.is_list) {
+    const std::string name = toLower(property.name); // some write X Y Z
     for (std::size_t i = 0; i < 3; ++i) {
-      if (property.name == positions[i])
+      if (name == positions[i])
         return {Role::Position, i};
-      if (property.name == normals[i])
+      if (name == normals[i])
         return {Role::Normal, i};
     }
   }
@@ -190,7 +217,8 @@ useOf(const PlyElement& element, const PlyProperty& property)
 /** \brief Builds the surface from the records. */
 class PlyReader {
 public:
-  PlyReader(const FileContent& file, const PlyHeader& header) : file_(file), header_(header)
+  PlyReader(const FileContent& file, const PlyHeader& header, Reading& reading)
+      : file_(file), header_(header), reading_(reading)
   {
     const PlyElement& vertices = findVertices();
     if (countUses(vertices, Role::Position) != 3)
@@ -203,6 +231,7 @@ public:
   Surface
   read()
   {
+    reading_.single_precision = hasSinglePrecision();
     if (header_.format == PlyFormat::Text)
       readElements(TextRecords(file_, header_));
     else
@@ -225,6 +254,16 @@ private:
     if (found == nullptr)
       file_.fail("the header has no element 'vertex'");
     return *found;
+  }
+
+  bool
+  hasSinglePrecision() const
+  {
+    const PlyElement& vertices = findVertices();
+    return header_.format != PlyFormat::Text &&
+           std::any_of(vertices.properties.begin(), vertices.properties.end(), [&](const PlyProperty& property) {
+             return useOf(vertices, property).role == Role::Position && property.type == ScalarType::Float32;
+           });
   }
 
   static std::size_t
@@ -250,7 +289,7 @@ private:
       if (!readColumns(element, records))
         readRecords(element, records);
     }
-    records.finish();
+    records.finish(reading_.notes);
   }
 
   bool
@@ -269,7 +308,7 @@ private:
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const PropertyUse use = useOf(element, element.properties[i]);
       if (use.role == Role::Position)
-        copyColumn(columns[i], use.component, surface_.points);
+        copyColumn(columns[i], use.component, surface_.points, reading_.origin[use.component]);
       else if (use.role == Role::Normal && !surface_.normals.empty())
         copyColumn(columns[i], use.component, surface_.normals);
     }
@@ -283,8 +322,9 @@ private:
     std::vector<PropertyUse> uses;
     for (const PlyProperty& property : element.properties)
       uses.push_back(useOf(element, property));
-    if (element.name == "face")
-      surface_.triangles.reserve(element.count);
+    const bool is_vertex = element.name == "vertex";
+    if (element.name == "face" && !uses.empty()) // a promise that costs nothing reserves nothing
+      surface_.triangles.reserve(std::min(element.count, records.mostRecords(element)));
     for (std::size_t i = 0; i < element.count && !uses.empty(); ++i) {
       records.beginRecord();
       for (std::size_t j = 0; j < uses.size(); ++j) {
@@ -293,7 +333,7 @@ private:
         else
           readValue(element.properties[j].type, uses[j], i, records);
       }
-      records.endRecord();
+      records.endRecord(/*lenient=*/!is_vertex);
     }
   }
 
@@ -302,9 +342,9 @@ private:
   readValue(ScalarType type, PropertyUse use, std::size_t record, Records& records)
   {
     if (use.role == Role::Position)
-      surface_.points[record][use.component] = records.number(type);
+      surface_.points[record][use.component] = records.number(type, reading_.origin[use.component]);
     else if (use.role == Role::Normal && !surface_.normals.empty())
-      surface_.normals[record][use.component] = records.number(type);
+      surface_.normals[record][use.component] = records.number(type, 0.0);
     else
       records.skip(type, 1);
   }
@@ -345,6 +385,7 @@ private:
 
   const FileContent& file_;
   const PlyHeader& header_;
+  Reading& reading_;
   Surface surface_;
   std::vector<Index> corners_;
 };
@@ -352,10 +393,11 @@ private:
 } // namespace
 
 Surface
-readPly(const FileContent& file)
+readPly(const FileContent& file, Reading& reading)
 {
   const PlyHeader header = readPlyHeader(file);
-  return PlyReader(file, header).read();
+  reading.notes = header.notes;
+  return PlyReader(file, header, reading).read();
 }
 
 } // namespace symmetry

@@ -1,5 +1,5 @@
 #include "io/write/output_file.h"
-#include "io/write/record_writer.h"
+#include "io/write/position_writer.h"
 #include "io/write/result_check.h"
 #include "picture/palette.h"
 
@@ -29,7 +29,7 @@ plyHeader(const Surface& surface)
                        "comment partner: number of the symmetric vertex, -1 none\n"
                        "comment region: 0 none, 1 to 4 the limbs source1 target1 source2 target2, 5 centre\n";
   header += "element vertex " + std::to_string(surface.size()) + "\n";
-  header += "property float x\nproperty float y\nproperty float z\n";
+  header += plyPosition(surface);
   if (!surface.normals.empty())
     header += "property float nx\nproperty float ny\nproperty float nz\n";
   header += "property uchar red\nproperty uchar green\nproperty uchar blue\n"
@@ -45,7 +45,7 @@ toPly(const Surface& surface, const SymmetryResult& result)
   std::string bytes = plyHeader(surface);
   bytes.reserve(bytes.size() + 40 * surface.size() + 13 * surface.triangles.size());
   for (std::size_t i = 0; i < surface.size(); ++i) {
-    appendBytes(bytes, surface.points[i]);
+    appendPosition(bytes, surface, i);
     if (!surface.normals.empty())
       appendBytes(bytes, surface.normals[i]);
     appendBytes(bytes, colourOf(result.sides[i]));
@@ -73,13 +73,13 @@ toPcd(const Surface& surface, const SymmetryResult& result)
   std::string bytes = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n";
   bytes += std::string("FIELDS x y z") + (has_normals ? " normal_x normal_y normal_z" : "") +
            " rgb label partner confidence region\n";
-  bytes += std::string("SIZE 4 4 4") + (has_normals ? " 4 4 4" : "") + " 4 4 4 4 1\n";
+  bytes += "SIZE " + pcdPositionSizes(surface) + (has_normals ? " 4 4 4" : "") + " 4 4 4 4 1\n";
   bytes += std::string("TYPE F F F") + (has_normals ? " F F F" : "") + " F U I F U\n";
   bytes += std::string("COUNT 1 1 1") + (has_normals ? " 1 1 1" : "") + " 1 1 1 1 1\n";
   bytes += "WIDTH " + points + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + points + "\nDATA binary\n";
   bytes.reserve(bytes.size() + 41 * surface.size());
   for (std::size_t i = 0; i < surface.size(); ++i) {
-    appendBytes(bytes, surface.points[i]);
+    appendPosition(bytes, surface, i);
     if (has_normals)
       appendBytes(bytes, surface.normals[i]);
     appendBytes(bytes, packColour(colourOf(result.sides[i])));
