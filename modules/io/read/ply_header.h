@@ -34,8 +34,10 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format = PlyFormat::Text;
   std::vector<PlyElement> elements;
-  std::size_t end_byte = 0;       ///< where the data begin
-  std::size_t end_line = 0;       ///< number of the line that begins there
+  std::size_t end_byte = 0; ///< where the data begin
+  std::size_t end_line = 0; ///< number of the line that begins there
+  std::size_t columns = 0;  ///< of an organised cloud as PCL writes it; 0: none
+  std::size_t rows = 0;
   std::vector<std::string> notes; ///< what was passed over
 };
 

@@ -20,6 +20,10 @@ enum class ScalarType : std::uint8_t { Int8, UInt8, Int16, UInt16, Int32, UInt32
 std::size_t
 sizeOf(ScalarType type);
 
+/** \brief F, I or U, as PointField::kind. */
+char
+kindOf(ScalarType type);
+
 inline bool
 isInteger(ScalarType type)
 {
@@ -48,6 +52,10 @@ loadFloat(const char* bytes, ScalarType type, bool swap_bytes, double origin = 0
 /** \brief The number at \a bytes; \a type must be an integer. What exceeds std::int64_t becomes its largest value. */
 std::int64_t
 loadInteger(const char* bytes, ScalarType type, bool swap_bytes);
+
+/** \brief Stores \a value as \a type at any alignment: what an integer cannot hold becomes its nearest, NaN zero. */
+void
+storeScalar(char* bytes, ScalarType type, double value);
 
 /** \brief Numbers of one type at equal distances in memory. */
 struct ScalarColumn {

@@ -43,6 +43,7 @@ findOffset(const std::vector<Vector3>& points)
   const std::size_t step = points.size() / sample + 1;
   std::array<Bulk, 3> bulks;
   double spread = 0.0;
+  double distance = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<float> values;
     for (std::size_t i = 0; i < points.size(); i += step)
@@ -50,17 +51,17 @@ findOffset(const std::vector<Vector3>& points)
         values.push_back(points[i][axis]);
     bulks[axis] = findBulk(std::move(values));
     spread = std::max(spread, bulks[axis].spread);
+    distance = std::max(distance, std::abs(bulks[axis].middle));
   }
 
   std::array<double, 3> offset = {0.0, 0.0, 0.0};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double distance = std::abs(bulks[axis].middle);
-    if (distance <= farthest * spread)
-      continue;
-    // Rounded to floats the spread may have vanished.
-    const double unit = std::exp2(std::floor(std::log2(std::max(spread, distance * float_step))));
-    offset[axis] = std::round(bulks[axis].middle / unit) * unit;
-  }
+  if (distance <= farthest * spread)
+    return offset;
+  // Rounded to floats the spread may have vanished.
+  const double unit = std::exp2(std::floor(std::log2(std::max(spread, distance * float_step))));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (std::abs(bulks[axis].middle) > spread)
+      offset[axis] = std::round(bulks[axis].middle / unit) * unit;
   return offset;
 }
 

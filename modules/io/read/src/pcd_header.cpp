@@ -56,7 +56,7 @@ public:
     PcdHeader header;
     header.format = readFormat();
     header.fields = readFields();
-    header.points = readPoints();
+    header.points = readPoints(header);
     text_.finishLine();
     header.end_byte = text_.position();
     header.end_line = text_.line();
@@ -154,7 +154,7 @@ private:
   }
 
   std::size_t
-  readPoints() const
+  readPoints(PcdHeader& header) const
   {
     const std::uint64_t width = toSize("WIDTH", wordsOf("WIDTH", 1).front(), 0, most_points);
     const std::uint64_t height = has("HEIGHT") ? toSize("HEIGHT", wordsOf("HEIGHT", 1).front(), 0, most_points) : 1;
@@ -162,6 +162,7 @@ private:
       failAt("WIDTH", "more points than can be numbered");
     if (has("POINTS") && toSize("POINTS", wordsOf("POINTS", 1).front(), 0, most_points) != width * height)
       failAt("POINTS", "POINTS is not WIDTH times HEIGHT");
+    header.width = height > 1 ? static_cast<std::size_t>(width) : 0;
     return static_cast<std::size_t>(width * height);
   }
 

@@ -86,6 +86,20 @@ readProperty(TextScanner& text)
   return property;
 }
 
+/** \brief Reads `num_cols` or `num_rows` and its number; other words have no meaning. */
+void
+readRaster(TextScanner& text, PlyHeader& header)
+{
+  const std::string_view name = text.word();
+  std::int64_t count = 0;
+  if (!parseInteger(text.word(), count) || count < 1 || static_cast<std::uint64_t>(count) > most_points)
+    return;
+  if (name == "num_cols")
+    header.columns = static_cast<std::size_t>(count);
+  else if (name == "num_rows")
+    header.rows = static_cast<std::size_t>(count);
+}
+
 /** \brief Whether a word is a keyword with one letter, or two, too many, too few, or other ones. */
 bool
 isMisspelled(const std::string& word)
@@ -118,8 +132,12 @@ readStatements(TextScanner& text, PlyHeader& header)
     const std::string_view keyword = text.word();
     if (keyword == "end_header")
       return has_format;
-    if (keyword == "comment" || keyword == "obj_info")
+    if (keyword == "comment")
       continue;
+    if (keyword == "obj_info") {
+      readRaster(text, header);
+      continue;
+    }
     if (keyword == "format") {
       header.format = readFormat(text);
       has_format = true;

@@ -51,6 +51,33 @@ sizeOf(ScalarType type)
   return visitType(type, [](auto zero) { return sizeof(zero); });
 }
 
+char
+kindOf(ScalarType type)
+{
+  return visitType(type, [](auto zero) {
+    using Limits = std::numeric_limits<decltype(zero)>;
+    return !Limits::is_integer ? 'F' : Limits::is_signed ? 'I' : 'U';
+  });
+}
+
+void
+storeScalar(char* bytes, ScalarType type, double value)
+{
+  visitType(type, [=](auto zero) {
+    using Number = decltype(zero);
+    Number number = 0;
+    if constexpr (!std::numeric_limits<Number>::is_integer)
+      number = static_cast<Number>(value);
+    else if (value >= static_cast<double>(std::numeric_limits<Number>::max()))
+      number = std::numeric_limits<Number>::max();
+    else if (value <= static_cast<double>(std::numeric_limits<Number>::min()))
+      number = std::numeric_limits<Number>::min();
+    else if (value == value)
+      number = static_cast<Number>(value);
+    std::memcpy(bytes, &number, sizeof(number));
+  });
+}
+
 float
 loadFloat(const char* bytes, ScalarType type, bool swap_bytes, double origin)
 {
