@@ -51,5 +51,10 @@ private:
   std::vector<std::size_t> slots_; ///< by number: index into the kept ones, or none
 };
 
+/** \brief Colours of formats that have no names for their fields: red, green, blue and perhaps alpha, as floats.
+ * \return nullptr unless there are three or four values for each point */
+std::shared_ptr<const PointFields>
+colourFields(const std::vector<float>& values, std::size_t points);
+
 } // namespace symmetry
 } // namespace pcl

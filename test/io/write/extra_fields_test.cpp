@@ -169,6 +169,31 @@ TEST_F(ExtraFields, OfAnotherNumberOfPointsAreLeftOut)
   EXPECT_EQ(readSurface(path("out.pcd")).size(), 6U);
 }
 
+TEST_F(ExtraFields, ColoursOfObjAndOff)
+{
+  std::string obj;
+  std::string off = "CSTOFF\n6 0 0\n";
+  std::string binary = "COFF BINARY\n" + Bytes(true).add(6, 0, 0).str();
+  for (const Vector3& p : roof().points) {
+    const std::string position =
+        std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + " 0.5 0.25 0.125";
+    obj += "v " + position + "\n";
+    off += position + " 1 0.75 0.75\n";
+    binary += Bytes(true).add(p[0], p[1], p[2], 0.5F, 0.25F, 0.125F, 1.0F).str();
+  }
+  for (const auto& [name, content] : {std::pair{"a.obj", obj}, {"b.off", off}, {"c.off", binary}}) {
+    SCOPED_TRACE(name);
+    const Surface surface = readSurface(write(name, content));
+    EXPECT_EQ(valuesOf<float>(surface, "red"), std::vector<float>(6, 0.5F));
+    EXPECT_EQ(valuesOf<float>(surface, "blue"), std::vector<float>(6, 0.125F));
+    EXPECT_EQ(valuesOf<float>(surface, "alpha"), std::vector<float>(std::string(name) == "a.obj" ? 0 : 6, 1.0F));
+    writeLabelledSurface(path("out.ply"), surface, roofSymmetry());
+    EXPECT_EQ(valuesOf<float>(readSurface(path("out.ply")), "input_red"), std::vector<float>(6, 0.5F));
+  }
+  EXPECT_EQ(readSurface(write("some.obj", obj + "v 1 2 3\n")).fields, nullptr) << "not all points have a colour";
+  EXPECT_EQ(readSurface(write("weight.obj", "v 1 2 3 1\nv 1 2 4 1\n")).fields, nullptr);
+}
+
 } // namespace
 } // namespace test
 } // namespace symmetry

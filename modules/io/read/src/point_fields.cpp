@@ -55,5 +55,22 @@ FieldCollector::take(std::size_t width, std::size_t height)
   return std::make_shared<const PointFields>(std::move(kept_));
 }
 
+std::shared_ptr<const PointFields>
+colourFields(const std::vector<float>& values, std::size_t points)
+{
+  const std::size_t channels = points == 0 ? 0 : values.size() / points;
+  if ((channels != 3 && channels != 4) || values.size() != channels * points)
+    return nullptr;
+  static const std::string names[] = {"red", "green", "blue", "alpha"};
+  FieldCollector fields;
+  for (std::size_t i = 0; i < channels; ++i)
+    fields.add(i, names[i], ScalarType::Float32, 1);
+  fields.resize(points);
+  for (std::size_t i = 0; i < channels; ++i)
+    fields.copy(
+        i, {reinterpret_cast<const char*>(values.data() + i), channels * sizeof(float), ScalarType::Float32, false});
+  return fields.take(0, 0);
+}
+
 } // namespace symmetry
 } // namespace pcl

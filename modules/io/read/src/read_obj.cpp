@@ -1,3 +1,4 @@
+#include "io/read/point_fields.h"
 #include "io/read/readers.h"
 #include "io/read/surface_builder.h"
 #include "io/read/text_scanner.h"
@@ -25,6 +26,7 @@ public:
                                                 std::to_string(surface_.size()));
     if (!normals_match_points_ || surface_.normals.size() != surface_.size())
       surface_.normals.clear();
+    surface_.fields = colourFields(colours_, surface_.size());
     return std::move(surface_);
   }
 
@@ -35,8 +37,7 @@ private:
     const std::string_view keyword = text_.word();
     if (keyword == "v") {
       surface_.points.push_back(readVector(origin_));
-      while (!text_.atLineEnd())
-        text_.number(); // weight or colour
+      readColour();
       if (surface_.size() > most_points)
         text_.fail("more points than can be numbered");
     }
@@ -47,6 +48,22 @@ private:
     else if (keyword == "f" || keyword == "fo") { // fo: a face of the first versions of the format
       readFace();
     }
+  }
+
+  /** \brief Reads what follows a position: a weight, or a colour, which counts where all points have one. */
+  void
+  readColour()
+  {
+    const std::size_t before = colours_.size();
+    while (!text_.atLineEnd()) {
+      const float number = text_.number();
+      if (colours_.size() <= before + 4) // one more than a colour has tells that it is none
+        colours_.push_back(number);
+    }
+    all_coloured_ = all_coloured_ && (colours_.size() == before + 3 || colours_.size() == before + 4) &&
+                    colours_.size() % surface_.size() == 0;
+    if (!all_coloured_)
+      colours_.clear();
   }
 
   Vector3
@@ -120,6 +137,8 @@ private:
   TextScanner text_;
   Surface surface_;
   std::vector<Index> corners_;
+  std::vector<float> colours_;
+  bool all_coloured_ = true;
   bool normals_match_points_ = true;
   std::int64_t largest_index_ = -1;
   std::size_t largest_index_line_ = 0;

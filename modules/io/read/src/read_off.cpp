@@ -1,3 +1,4 @@
+#include "io/read/point_fields.h"
 #include "io/read/readers.h"
 #include "io/read/scalar_type.h"
 #include "io/read/surface_builder.h"
@@ -105,6 +106,7 @@ public:
       readFace();
     if (text_.nextLine())
       text_.fail("unexpected " + quoted(text_.word()) + " behind the last face");
+    surface_.fields = colourFields(colours_, surface_.size());
     return std::move(surface_);
   }
 
@@ -166,8 +168,25 @@ private:
       const float y = text_.number();
       surface_.normals.push_back({x, y, text_.number()});
     }
-    while (!text_.atLineEnd())
-      text_.number(); // colour or texture coordinate
+    readRest();
+  }
+
+  /** \brief Reads the colour, which counts where all points have as many numbers, and passes over what is behind. */
+  void
+  readRest()
+  {
+    const std::size_t begin = colours_.size();
+    while (!text_.atLineEnd()) {
+      const float number = text_.number();
+      if (header_.colours && colours_.size() <= begin + 6) // more than colour and texture coordinates have
+        colours_.push_back(number);
+    }
+    // Texture coordinates come last.
+    if (header_.texture && colours_.size() >= begin + 2)
+      colours_.resize(colours_.size() - 2);
+    all_coloured_ = all_coloured_ && colours_.size() == surface_.size() * (colours_.size() - begin);
+    if (!all_coloured_)
+      colours_.clear();
   }
 
   void
@@ -192,6 +211,8 @@ private:
   const OffHeader& header_;
   const std::array<double, 3>& origin_;
   TextScanner text_;
+  std::vector<float> colours_;
+  bool all_coloured_ = true;
   Surface surface_;
   std::vector<Index> corners_;
 };
@@ -276,6 +297,8 @@ private:
       copyColumn(column(i), i, surface_.points, header_.homogeneous ? 0.0 : origin_[i]);
       copyColumn(column(normal_word + i), i, surface_.normals);
     }
+    if (header_.colours)
+      keepColours(normal_word + (header_.normals ? 3 : 0), column);
     if (!header_.homogeneous)
       return;
     for (std::size_t point = 0; point < count; ++point) {
@@ -283,6 +306,20 @@ private:
       for (std::size_t i = 0; i < 3; ++i)
         surface_.points[point][i] = static_cast<float>(double{surface_.points[point][i]} / divisor - origin_[i]);
     }
+  }
+
+  template <typename Column>
+  void
+  keepColours(std::size_t first_word, Column column)
+  {
+    static const std::string names[] = {"red", "green", "blue", "alpha"};
+    FieldCollector fields;
+    for (std::size_t i = 0; i < 4; ++i)
+      fields.add(i, names[i], ScalarType::Float32, 1);
+    fields.resize(surface_.size());
+    for (std::size_t i = 0; i < 4; ++i)
+      fields.copy(i, column(first_word + i));
+    surface_.fields = fields.take(0, 0);
   }
 
   void
