@@ -95,7 +95,7 @@ describeOptions(Options& options)
   CommandLine line(program,
                    "pcl_intrinsic_symmetry INPUT [options]\n\n"
                    "Finds the symmetric partner of each point of a surface, the two sides and the axis between them.\n"
-                   "INPUT is a .pcd, .ply, .obj, .off or .stl file.\n",
+                   "INPUT is a .pcd, .ply, .obj, .off or .stl file, or such a file compressed (.gz).\n",
                    "\nExit status: 0 done, 1 cannot read, write or compute, 2 wrong usage, 3 no symmetry found.\n");
   line.add(output);
   line.add(method);
@@ -213,6 +213,7 @@ run(const Options& options)
 
   SymmetryResult result = estimate(options, surface);
   result.seconds.insert(result.seconds.begin(), {"read", read_seconds});
+  result.input.notes = surface.notes;
   const Stopwatch writing;
   writeOutputs(options.outputs, surface, result);
   // The report comes last, and holds the time of all that was written before it.

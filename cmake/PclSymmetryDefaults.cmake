@@ -9,7 +9,8 @@
 #
 # Each is described above its definition. Dependencies to link (all found by the root, see PclSymmetryDependencies.cmake):
 # Threads::Threads, Eigen3::Eigen, Spectra::Spectra, pcl_symmetry::pcl_core (common, search, kdtree, FLANN),
-# pcl_symmetry::pcl_io, pcl_symmetry::pcl_visualization, Boost::program_options, Boost::headers (Boost.Graph),
+# pcl_symmetry::pcl_io, pcl_symmetry::pcl_visualization, Boost::iostreams, Boost::program_options,
+# Boost::headers (Boost.Graph),
 # nlohmann_json::nlohmann_json.
 include(GNUInstallDirs)
 

@@ -1,6 +1,5 @@
-#include "symmetry/interpretations.h"
-
 #include "cloud/clouds.h"
+#include "symmetry/interpretations.h"
 
 #include <gtest/gtest.h>
 

@@ -24,15 +24,22 @@ namespace symmetry {
 PCL_SYMMETRY_EXPORTS std::string
 fileEnding(const std::string& path);
 
-/** \brief Reads a surface from a .pcd, .ply, .obj, .off or .stl file, any letter case of the ending.
+/** \brief Reads a surface from a .pcd, .ply, .obj, .off or .stl file, any letter case of the ending, also compressed by
+ * gzip with .gz behind.
  *
  * - PCD: ascii, binary and binary_compressed; fields x y z and normal_x normal_y normal_z of any number type.
  * - PLY: ascii and binary of both byte orders; x y z and nx ny nz of any type, faces, triangle strips.
- * - OBJ: v, f in all forms, and vn where each point has the normal of its own number.
- * - OFF: text, with the prefixes ST, C and N.
+ * - OBJ: v, f and fo in all forms, and vn where each point has the normal of its own number.
+ * - OFF: text and binary, with the prefixes ST, C, N, 4 and n.
  * - STL: ascii and binary; equal positions become one point, numbered in the order of their first appearance.
  *
- * Other fields, properties, elements and keywords are passed over. Points keep their number and order (but in STL), and
+ * Common dialects are read as well: doc/formats.md. Other fields of the points are kept in Surface::fields (PCD, PLY);
+ * other elements and keywords are passed over, and Surface::notes says what else was.
+ *
+ * Positions far from the origin for their spread, as in map coordinates, are read in double precision, and an offset is
+ * subtracted: Surface::offset. Such a file is read twice.
+ *
+ * Points keep their number and order (but in STL), and
  * duplicates, unused and non-finite points are kept: nan and inf are numbers, and what is too large for a float is
  * infinite. Polygons become triangle fans around their first corner. Faces of fewer than three corners, and triangles
  * with two equal corners, have no area and are left out.
@@ -41,9 +48,9 @@ fileEnding(const std::string& path);
  *
  * \return at least one point; normals where the file has one per point
  *
- * \throws pcl::IOException cannot be opened, has another ending, is empty, truncated or malformed, lies too far from
- * the origin for single precision, promises more than it can hold, or has a face with a point that is not there; the
- * message names file, line (from 1) or byte (from 0), and reason
+ * \throws pcl::IOException cannot be opened, has another ending, is empty, truncated or malformed, holds floats too far
+ * from the origin for their precision, promises more than it can hold, unpacks to more than 64 MB and 32 times its size,
+ * or has a face with a point that is not there; the message names file, line (from 1) or byte (from 0), and reason
  *
  * \ingroup symmetry
  */
@@ -62,8 +69,10 @@ checkWritable(const std::string& path);
 /** \brief Writes the labelled surface as binary .ply (with faces) or .pcd.
  *
  * Per point: x y z, its normal where the surface has normals, colour of the side, label (uint, see Side), partner (int,
- * -1: none), confidence (float), region (uchar, see Region). pcl::io::loadPCDFile and loadPLYFile read it into
- * PointXYZL and PointXYZRGBL.
+ * -1: none), confidence (float), region (uchar, see Region), and the fields of the input: one that has a name of ours
+ * gets "input_" in front. pcl::io::loadPCDFile and loadPLYFile read it into PointXYZL and PointXYZRGBL. Where the surface
+ * has an offset it is added again, and x y z are doubles: floats would not reach. PCL's point types do not take those;
+ * pcl::PCLPointCloud2 does.
  * \throws pcl::IOException cannot be written, or the ending is neither .ply nor .pcd
  * \throws pcl::BadArgumentException the result does not belong to the surface: another number of points, or an index
  * out of range
@@ -94,7 +103,7 @@ writeCorrespondences(const std::string& path, const SymmetryResult& result);
 /** \brief Writes the axis curve as binary .ply (vertices and edges; a closed polyline has the edge that closes it) or
  * .pcd.
  *
- * Points come in the order of the polylines, each with \a index, its number in the surface, and \a curve, the number of
+ * Positions are as in writeLabelledSurface(). Points come in the order of the polylines, each with \a index, its number in the surface, and \a curve, the number of
  * its polyline. Without an axis the file has no points.
  * \throws pcl::IOException cannot be written, or the ending is neither .ply nor .pcd
  * \throws pcl::BadArgumentException the result does not belong to the surface
@@ -114,7 +123,7 @@ writeAxis(const std::string& path, const Surface& surface, const SymmetryResult&
  * \param[in] input_file name of the input as it is to appear in the report; what is not UTF-8 is replaced
  *
  * \param[in] parameters all that were in force
- * \param[in] result what was found, with the seconds per step
+ * \param[in] result what was found, with the seconds per step, and in InputSummary::notes those of the reader
  * \throws pcl::IOException cannot be written
  * \ingroup symmetry
  */

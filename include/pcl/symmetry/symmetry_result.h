@@ -66,6 +66,7 @@ struct InputSummary {
   std::size_t distrusted_edges = 0; ///< edges removed from a cloud's graph as shortcuts between parts in contact
   bool read_as_cloud = false;       ///< of a mesh: its faces told normals only, as holes or cracks run through it
   float smoothing_radius = 0.0F;    ///< radius of the planes that a noisy cloud was smoothed by; 0: it was not
+  std::vector<std::string> notes;   ///< what the reader of the file passed over or changed, a sentence each
 };
 
 /** \brief Properties of the dense map. */

@@ -19,6 +19,11 @@ public:
    */
   explicit FileContent(const std::string& path);
 
+  /** \brief Replaces the bytes by what they are the gzip compression of, one member or several.
+   * \throws pcl::IOException is not, is truncated or damaged, or unpacks to more than mostUnpacked() */
+  void
+  unpackGzip();
+
   const char*
   data() const
   {

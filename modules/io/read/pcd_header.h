@@ -31,6 +31,7 @@ struct PcdField {
 struct PcdHeader {
   std::vector<PcdField> fields;
   std::size_t points = 0; ///< of all rows of an organised cloud
+  std::size_t width = 0;  ///< of the rows of an organised cloud; otherwise 0
   PcdFormat format = PcdFormat::Text;
   std::size_t end_byte = 0; ///< where the data begin
   std::size_t end_line = 0; ///< number of the line that begins there

@@ -36,6 +36,9 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   std::size_t end_byte = 0; ///< where the data begin
   std::size_t end_line = 0; ///< number of the line that begins there
+  std::size_t columns = 0;  ///< of an organised cloud as PCL writes it; 0: none
+  std::size_t rows = 0;
+  std::vector<std::string> notes; ///< what was passed over
 };
 
 /** \brief Reads the header and checks that all elements together may fit into the rest of the file.

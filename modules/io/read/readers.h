@@ -1,7 +1,8 @@
 /** \file
  * \brief One reader per file format; readSurface() picks among them by the ending of the name.
  *
- * Each throws pcl::IOException, naming file, line or byte, and reason, unless the whole content is as its format says.
+ * Each throws pcl::IOException, naming file, line or byte, and reason, unless the whole content is as its format says,
+ * or as one of the dialects of doc/formats.md.
  */
 #pragma once
 
@@ -9,30 +10,41 @@
 
 #include <pcl/symmetry/surface.h>
 
+#include <array>
+#include <string>
+#include <vector>
+
 namespace pcl {
 namespace symmetry {
+
+/** \brief What a reader is told, and what it tells beside the surface. */
+struct Reading {
+  std::array<double, 3> origin = {0.0, 0.0, 0.0}; ///< in: is subtracted from each position before it is rounded
+  bool single_precision = false;                  ///< out: the file holds the positions as binary floats
+  std::vector<std::string> notes;                 ///< out: see Surface::notes
+};
 
 /** \brief Polygon File Format 1.0: ascii and binary of both byte orders, any scalar types, faces and triangle strips.
  */
 Surface
-readPly(const FileContent& file);
+readPly(const FileContent& file, Reading& reading);
 
 /** \brief Point Cloud Data: ascii, binary and binary_compressed, any field types. */
 Surface
-readPcd(const FileContent& file);
+readPcd(const FileContent& file, Reading& reading);
 
-/** \brief Wavefront OBJ: v, vn and f; all other keywords are passed over. */
+/** \brief Wavefront OBJ: v, vn, f and fo; all other keywords are passed over. */
 Surface
-readObj(const FileContent& file);
+readObj(const FileContent& file, Reading& reading);
 
-/** \brief Object File Format in text: OFF with the prefixes ST, C and N. */
+/** \brief Object File Format, text or binary: OFF with the prefixes ST, C, N, 4 and n. */
 Surface
-readOff(const FileContent& file);
+readOff(const FileContent& file, Reading& reading);
 
 /** \brief Stereolithography, ascii or binary; equal positions become one point, in the order of their first appearance.
  */
 Surface
-readStl(const FileContent& file);
+readStl(const FileContent& file, Reading& reading);
 
 } // namespace symmetry
 } // namespace pcl

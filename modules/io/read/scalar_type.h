@@ -20,6 +20,10 @@ enum class ScalarType : std::uint8_t { Int8, UInt8, Int16, UInt16, Int32, UInt32
 std::size_t
 sizeOf(ScalarType type);
 
+/** \brief F, I or U, as PointField::kind. */
+char
+kindOf(ScalarType type);
+
 inline bool
 isInteger(ScalarType type)
 {
@@ -40,13 +44,18 @@ loadScalar(const char* bytes, bool swap_bytes)
   return value;
 }
 
-/** \brief The number at \a bytes, rounded to float; a double beyond the range of float becomes infinite. */
+/** \brief The number at \a bytes less \a origin, rounded to float; a double beyond the range of float becomes
+ * infinite. */
 float
-loadFloat(const char* bytes, ScalarType type, bool swap_bytes);
+loadFloat(const char* bytes, ScalarType type, bool swap_bytes, double origin = 0.0);
 
 /** \brief The number at \a bytes; \a type must be an integer. What exceeds std::int64_t becomes its largest value. */
 std::int64_t
 loadInteger(const char* bytes, ScalarType type, bool swap_bytes);
+
+/** \brief Stores \a value as \a type at any alignment: what an integer cannot hold becomes its nearest, NaN zero. */
+void
+storeScalar(char* bytes, ScalarType type, double value);
 
 /** \brief Numbers of one type at equal distances in memory. */
 struct ScalarColumn {
@@ -56,9 +65,10 @@ struct ScalarColumn {
   bool swap_bytes = false;
 };
 
-/** \brief Copies the first vectors.size() numbers of a column into component \a component of \a vectors. */
+/** \brief Copies the first vectors.size() numbers of a column, less \a origin, into component \a component of
+ * \a vectors. */
 void
-copyColumn(const ScalarColumn& column, std::size_t component, std::vector<Vector3>& vectors);
+copyColumn(const ScalarColumn& column, std::size_t component, std::vector<Vector3>& vectors, double origin = 0.0);
 
 } // namespace symmetry
 } // namespace pcl

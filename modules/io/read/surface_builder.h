@@ -21,6 +21,16 @@ fitsInto(std::uint64_t count, std::uint64_t least_bytes, std::uint64_t available
   return least_bytes == 0 || count <= available / least_bytes;
 }
 
+/** \brief Bytes that may come of \a packed compressed ones: more than files that people have need, few enough that a small
+ * file cannot eat the machine. */
+constexpr std::uint64_t
+mostUnpacked(std::uint64_t packed)
+{
+  constexpr std::uint64_t always_allowed = std::uint64_t{64} << 20;
+  constexpr std::uint64_t largest_ratio = 32; // text and clouds of points that differ: 1 to 10
+  return packed > always_allowed / largest_ratio ? packed * largest_ratio : always_allowed;
+}
+
 /** \brief Adds the triangle fan of a polygon around its first corner.
  *
  * Triangles with two equal corners are left out, and with them polygons of fewer than three corners: scans are full of

@@ -54,6 +54,16 @@ public:
   float
   number();
 
+  /** \brief The next word of the line as a number with the digits of a double; otherwise as number(). */
+  double
+  preciseNumber();
+
+  /** \brief The next word of the line as a number, relative to \a origin: subtracted in double precision, so that what
+   * a float cannot tell apart far from zero is told apart near the origin.
+   * \throws pcl::IOException there is no further word, or it is no number */
+  float
+  numberFrom(double origin);
+
   /** \brief The next word of the line as an integer.
    * \throws pcl::IOException there is none, or it is no integer */
   std::int64_t
@@ -99,6 +109,10 @@ public:
   }
 
 private:
+  template <typename Number>
+  Number
+  parseNumber();
+
   void
   skipBlanks();
 

@@ -44,6 +44,9 @@ const std::vector<BrokenFile> broken_files = {
     // Any format
     {"empty.ply", "", {"empty"}},
     {"unknown.xyz", "0 0 0\n", {"unknown ending", ".xyz"}},
+    {"packed.ply", "\x1F\x8B\x08", {"compressed by gzip", ".gz"}},
+    {"text.ply.gz", "ply\n", {"not compressed by gzip"}},
+    {"wide.obj", std::string("\xFF\xFEv\0 \0", 6), {"UTF-16"}},
     {"none", "0 0 0\n", {"unknown ending"}},
     // PLY
     {"magic.ply", "plyx\n", {"line 1", "not a PLY"}},
@@ -90,6 +93,9 @@ const std::vector<BrokenFile> broken_files = {
     {"no_data.pcd", pcd_xyz, {"file ends", "DATA"}},
     {"keyword.pcd", "hello world\n", {"line 1", "'hello'"}},
     {"twice.pcd", "WIDTH 2\n" + pcd_xyz + "DATA ascii\n", {"line 7", "second", "'WIDTH'"}},
+    {"no_values.pcd",
+     replaced(pcd_xyz, "COUNT 1 1 1", "COUNT 1 1 0") + "DATA ascii\n0 0\n0 0\n",
+     {"field 'z'", "not one number"}},
     {"no_z.pcd", replaced(pcd_xyz, "x y z", "x y w") + "DATA ascii\n0 0 0\n0 0 0\n", {"no field 'z'"}},
     {"twice_x.pcd", replaced(pcd_xyz, "x y z", "x x z") + "DATA ascii\n0 0 0\n0 0 0\n", {"two fields 'x'"}},
     {"sizes.pcd", replaced(pcd_xyz, "SIZE 4 4 4", "SIZE 4 4") + "DATA ascii\n", {"line 3", "'SIZE' has 2 values"}},
@@ -128,12 +134,23 @@ const std::vector<BrokenFile> broken_files = {
     {"zero_index.obj", "v 0 0 0\nf 0 1 1\n", {"line 2", "'0'", "from 1"}},
     {"minus_index.obj", "v 0 0 0\nf -2 1 1\n", {"line 2", "'-2'"}},
     {"corner.obj", "v 0 0 0\nf 1/a 1 1\n", {"line 2", "'1/a'"}},
+    {"no_point.obj", "v 0 0 0\nf //1 1 1\n", {"line 2", "'//1'"}},
+    {"no_number.obj", "v 0 0 0\nf 1//a 1 1\n", {"line 2", "'1//a'"}},
     {"no_corner.obj", "v 0 0 0\nf\n", {"line 2", "without corners"}},
     {"continued.obj", "v 0 0 0\nv 1 \\\n0 \\\nabc\n", {"line 4", "'abc'"}},
     {"text.obj", "Hello\n", {"holds no point"}},
     // OFF
     {"magic.off", "FOO\n", {"line 1", "'FOO'"}},
-    {"four.off", "4OFF\n1 0 0\n0 0 0 1\n", {"line 1", "'4OFF'"}},
+    {"office.off", "OFFICE\n", {"line 1", "'OFFICE'", "not an OFF"}},
+    {"prefix.off", "XOFF\n1 0 0\n0 0 0\n", {"line 1", "'XOFF'", "not an OFF"}},
+    {"dimensions.off", "nOFF\n4\n1 0 0\n0 0 0 1\n", {"line 2", "4 dimensions"}},
+    {"order.off", "OFF BINARY\n" + Bytes().add(1, 0, 0, 1.0F, 2.0F, 3.0F).str(), {"byte 11", "big-endian"}},
+    {"binary.off",
+     "OFF BINARY\n" + Bytes(true).add(1, 1, 0, 0.0F, 0.0F, 0.0F, 3, 0, 0).str(),
+     {"byte 35", "3 corners"}},
+    {"binary_corner.off",
+     "OFF BINARY\n" + Bytes(true).add(1, 1, 0, 0.0F, 0.0F, 0.0F, 3, 0, 1, 0, 0).str(),
+     {"byte 43", "point 1 of 1"}},
     {"counts.off", "OFF\n3\n", {"line 2", "line ends"}},
     {"word_count.off", "OFF\n3 x 0\n", {"line 2", "'x'"}},
     {"huge.off", "OFF\n2000000000 1 0\n0 0 0\n", {"line 2", "too short"}},
@@ -260,6 +277,12 @@ TEST_F(BrokenFiles, DamagedAnywhere)
   PointCloud<PointXYZ> cloud(3, 2);
   io::savePCDFileBinaryCompressed(path("c.pcd"), cloud);
   files.emplace_back("compressed.pcd", read(path("c.pcd")));
+  files.emplace_back("binary.off", "CNOFF BINARY\n" + Bytes(true)
+                                                          .add(1, 1, 0)
+                                                          .add(0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F)
+                                                          .add(1.0F, 1.0F, 1.0F, 1.0F)
+                                                          .add(3, 0, 0, 0, 1, 0.5F)
+                                                          .str());
   files.emplace_back("text.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   files.emplace_back("text.obj", "v 0 0 0\nv 1 0 0\nvn 0 0 1\nv 0 1 0\nf 1/2/1 2//1 -1\n");
   for (const auto& [name, content] : files) {

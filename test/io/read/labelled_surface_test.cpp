@@ -5,7 +5,9 @@
 
 #include <pcl/symmetry/surface_io.h>
 
+#include <pcl/conversions.h>
 #include <pcl/exceptions.h>
+#include <pcl/point_types.h>
 
 namespace pcl {
 namespace symmetry {
@@ -49,6 +51,22 @@ TEST_F(LabelledSurfaceTest, IsReadBackFromBothFormats)
     for (std::size_t i = 0; i < read.labels.size(); ++i)
       EXPECT_EQ(read.labels[i], static_cast<std::int64_t>(result.sides[i])) << i;
     EXPECT_EQ(read.mesh.polygons.size(), name == "roof.ply" ? roof().triangles.size() : 0U);
+  }
+}
+
+TEST_F(LabelledSurfaceTest, DoublesAtMapCoordinatesBecomeFloatsNearTheOrigin)
+{
+  Surface surface = roof();
+  surface.offset = {2801234.5, 5401240.25, 103.0};
+  for (const std::string name : {"roof.ply", "roof.pcd"}) {
+    SCOPED_TRACE(name);
+    writeLabelledSurface(path(name), surface, roofSymmetry());
+    PointCloud<PointXYZ> cloud;
+    fromPCLPointCloud2(readLabelledSurface(path(name)).mesh.cloud, cloud);
+    ASSERT_EQ(cloud.size(), 6U);
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_EQ(cloud[i].data[k], surface.points[i][k] - surface.points[0][k]);
   }
 }
 

@@ -92,6 +92,21 @@ TEST_F(PcdHeaderTest, TypesGoByLetterAndSize)
   EXPECT_EQ(padding.pointBytes(), 8U + 3U * 17U);
 }
 
+TEST_F(PcdHeaderTest, AFieldOfNoValuesTakesNoRoom)
+{
+  const PcdHeader read = header(text({{"COUNT", "1 1 0"}}));
+  EXPECT_EQ(read.fields.at(2).bytes(), 0U);
+  EXPECT_EQ(read.pointBytes(), 8U);
+}
+
+TEST_F(PcdHeaderTest, LettersOfTypesMayBeSmall)
+{
+  const PcdHeader read = header(text({{"TYPE", "f F u"}, {"DATA", "Binary"}}));
+  EXPECT_EQ(read.fields.at(0).type, ScalarType::Float32);
+  EXPECT_EQ(read.fields.at(2).type, ScalarType::UInt8);
+  EXPECT_EQ(read.format, PcdFormat::Binary);
+}
+
 TEST_F(PcdHeaderTest, RefusesLinesThatDoNotAgree)
 {
   EXPECT_EQ(complaint({{"SIZE", "4 4"}}), "line 4: 'SIZE' has 2 values instead of 3");
@@ -100,7 +115,7 @@ TEST_F(PcdHeaderTest, RefusesLinesThatDoNotAgree)
   EXPECT_EQ(complaint({{"POINTS", "11"}}), "line 10: POINTS is not WIDTH times HEIGHT");
   EXPECT_EQ(complaint({{"WIDTH", "-4"}}), "line 7: '-4' is no possible value of 'WIDTH'");
   EXPECT_EQ(complaint({{"WIDTH", "2147483647"}}), "line 7: more points than can be numbered");
-  EXPECT_EQ(complaint({{"COUNT", "1 0 3"}}), "line 6: '0' is no possible value of 'COUNT'");
+  EXPECT_EQ(complaint({{"COUNT", "1 -1 3"}}), "line 6: '-1' is no possible value of 'COUNT'");
   EXPECT_EQ(complaint({{"SIZE", "4 4 1000000"}}), "line 4: the fields of one point take more than 1048576 bytes");
   EXPECT_EQ(complaint({{"DATA", "zip"}}), "line 11: 'zip' is not a kind of data: ascii, binary or binary_compressed");
   EXPECT_EQ(complaint({{"DATA", ""}}), "line 11: the file ends where a line of the header, up to 'DATA', is expected");

@@ -55,6 +55,21 @@ TEST_F(ReadObj, AFaceMayComeBeforeItsPoints)
   EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 1, 2}}));
 }
 
+TEST_F(ReadObj, AnEmptyIndexIsNone)
+{
+  const std::string normals = "vn 0 0 1\nvn 0 1 0\nvn 1 0 0\nvn 0 0 -1\n";
+  const Surface surface =
+      readSurface(write("empty.obj", square + "vt 0 0\n" + normals + "f 1// 2// 3//\nf 1/1/ 3/1/ 4/1/\nf 1/ 2/ 3/\n"));
+  EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}}));
+  EXPECT_EQ(surface.normals.size(), 4U) << "one for each point, and no face says otherwise";
+}
+
+TEST_F(ReadObj, FacesOfTheFirstVersions)
+{
+  const Surface surface = readSurface(write("old.obj", square + "fo 1 2 3\nfo -4/-1 -2 -1\n"));
+  EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+}
+
 } // namespace
 } // namespace test
 } // namespace symmetry

@@ -4,6 +4,7 @@
 #include <pcl/symmetry/surface_io.h>
 
 #include <gtest/gtest.h>
+#include <pcl/exceptions.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -90,6 +91,60 @@ TEST_F(ReadPcd, DecimalNumbersRoundToTheNearestFloat)
   const Surface surface = readSurface(
       write("exact.pcd", xyz_header + "WIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n0.1 16777217 1.00000017881393432\n"));
   EXPECT_EQ(surface.points[0], (Vector3{0.1F, 16777216.0F, 1.00000017881393432F}));
+}
+
+TEST_F(ReadPcd, NamesInCapitalsAndSmallTypes)
+{
+  const std::string rest = "SIZE 4 4 4\nTYPE f f f\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n1 2 3\n";
+  const std::vector<Vector3> expected = {{1.0F, 2.0F, 3.0F}};
+  EXPECT_EQ(readSurface(write("upper.pcd", "VERSION .7\nFIELDS X Y Z\n" + rest)).points, expected);
+  EXPECT_THROW(readSurface(write("both.pcd", "VERSION .7\nFIELDS X x y\n" + rest)), IOException) << "no z";
+}
+
+TEST_F(ReadPcd, AFieldOfNoValues)
+{
+  const std::string text = "VERSION .7\nFIELDS _ x none y z\nSIZE 1 4 2 4 4\nTYPE U F U F F\nCOUNT 3 1 0 1 1\n"
+                           "WIDTH 2\nHEIGHT 1\nPOINTS 2\n";
+  const std::vector<Vector3> expected = {{1.0F, 2.0F, 3.0F}, {4.0F, 5.0F, 6.0F}};
+  EXPECT_EQ(readSurface(write("ascii.pcd", text + "DATA ascii\n0 0 0 1 2 3\n0 0 0 4 5 6\n")).points, expected);
+  Bytes bytes;
+  for (const Vector3& point : expected)
+    bytes.add(std::uint8_t{9}, std::uint16_t{9}, point);
+  EXPECT_EQ(readSurface(write("binary.pcd", text + "DATA binary\n" + bytes.str())).points, expected);
+}
+
+TEST_F(ReadPcd, NoNumberInAnyCase)
+{
+  const Surface surface = readSurface(
+      write("nan.pcd", xyz_header + "WIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ascii\nnan NaN NAN\n-nan Inf -INFINITY\n"));
+  for (const float coordinate : surface.points[0])
+    EXPECT_TRUE(std::isnan(coordinate));
+  EXPECT_TRUE(std::isnan(surface.points[1][0]));
+  EXPECT_EQ(surface.points[1][1], std::numeric_limits<float>::infinity());
+  EXPECT_EQ(surface.points[1][2], -std::numeric_limits<float>::infinity());
+}
+
+/** \brief Points all alike in three fields of a byte, compressed as far as the format allows. */
+std::string
+compressedBomb(std::size_t points)
+{
+  const std::size_t bytes = 3 * points;
+  std::string packed = std::string(1, '\0') + 'x'; // one literal byte
+  std::size_t unpacked = 1;
+  for (; unpacked + 264 <= bytes; unpacked += 264)
+    packed += std::string("\xE0\xFF\x00", 3); // repeat the last byte 264 times
+  for (; unpacked < bytes; ++unpacked)
+    packed += std::string("\0x", 2);
+  return "FIELDS x y z\nSIZE 1 1 1\nTYPE U U U\nWIDTH " + std::to_string(points) + "\nDATA binary_compressed\n" +
+         Bytes().add(static_cast<std::uint32_t>(packed.size()), static_cast<std::uint32_t>(bytes)).str() + packed;
+}
+
+TEST_F(ReadPcd, ASmallCompressedFileCannotBecomeHuge)
+{
+  EXPECT_EQ(readSurface(write("large.pcd", compressedBomb(100000))).size(), 100000U);
+  const std::string file = write("bomb.pcd", compressedBomb(27000000));
+  const std::string message = messageOf<IOException>([&] { readSurface(file); });
+  EXPECT_NE(message.find("27000000 points"), std::string::npos) << message;
 }
 
 } // namespace

@@ -124,6 +124,52 @@ TEST_F(ReadPly, NumbersTooSmallForAFloatAreZero)
   EXPECT_EQ(surface.points[0], (Vector3{0.0F, 0.0F, 1e-42F}));
 }
 
+TEST_F(ReadPly, SurplusValuesOfFacesArePassedOverWithANote)
+{
+  const std::string text = header("ascii", "element vertex 3\n" + float_vertices +
+                                               "element face 3\nproperty list uchar int vertex_indices\n"
+                                               "property uchar red\n") +
+                           "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255\n3 2 1 0 9 1 1 1\n3 0 2 1 9 1 1 1\n";
+  const Surface surface = readSurface(write("surplus.ply", text));
+  EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 0}, {0, 2, 1}}));
+  ASSERT_EQ(surface.notes.size(), 1U);
+  EXPECT_NE(surface.notes[0].find("line 17"), std::string::npos) << surface.notes[0];
+  EXPECT_NE(surface.notes[0].find("1 further"), std::string::npos) << surface.notes[0];
+}
+
+TEST_F(ReadPly, HeaderLinesWithoutKeyword)
+{
+  const Surface surface = readSurface(
+      write("comment.ply", "ply\nformat ascii 1.0\ncomment made by a program that breaks\nits comments into lines\n"
+                           "element vertex 1\n" +
+                               float_vertices + "end_header\n1 2 3\n"));
+  EXPECT_EQ(surface.size(), 1U);
+  ASSERT_EQ(surface.notes.size(), 1U);
+  EXPECT_NE(surface.notes[0].find("line 4"), std::string::npos) << surface.notes[0];
+  EXPECT_NE(surface.notes[0].find("'its'"), std::string::npos) << surface.notes[0];
+}
+
+TEST_F(ReadPly, NamesInCapitals)
+{
+  const Surface surface =
+      readSurface(write("upper.ply", header("ascii", "element vertex 1\nproperty float X\nproperty float Y\n"
+                                                     "property float Z\n") +
+                                         "1 2 3\n"));
+  EXPECT_EQ(surface.points, (std::vector<Vector3>{{1.0F, 2.0F, 3.0F}}));
+}
+
+TEST_F(ReadPly, FacesThatTakeNoRoomReserveNone)
+{
+  const std::string vertices = "element vertex 1\n" + float_vertices;
+  for (const char* format : {"ascii", "binary_little_endian"}) {
+    const std::string point = std::string(format) == "ascii" ? "1 2 3\n" : Bytes().add(1.0F, 2.0F, 3.0F).str();
+    const Surface surface =
+        readSurface(write("promise.ply", header(format, "element face 2000000000\n" + vertices) + point));
+    EXPECT_EQ(surface.size(), 1U);
+    EXPECT_EQ(surface.triangles.capacity(), 0U);
+  }
+}
+
 } // namespace
 } // namespace test
 } // namespace symmetry

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
+#include <cstring>
 
 namespace pcl {
 namespace symmetry {
@@ -89,6 +91,57 @@ TEST_F(ReadStl, ManyPointsKeepTheirNumbers)
   for (std::size_t i = 0; i < facets.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)
       ASSERT_EQ(surface.points[static_cast<std::size_t>(surface.triangles[i][k])], facets[i][k]);
+}
+
+TEST_F(ReadStl, TextWithComments)
+{
+  std::string text = textStl(tetrahedron);
+  text.insert(text.find("    endloop"), "      // behind the corners\n");
+  text.insert(text.find("    outer loop") + 14, " # of the first facet");
+  for (const char* comment : {"# made by hand\n", "\n  // made by hand\n", "; made by hand\n#\n"}) {
+    const Surface surface = readSurface(write("comments.stl", comment + text + comment));
+    EXPECT_EQ(surface.points, corners);
+    EXPECT_EQ(surface.triangles, triangles);
+  }
+}
+
+/** \brief Positions that the multiplications of a hash without a secret would bring together: an inverse times a small
+ * number. */
+TEST_F(ReadStl, NoFileMakesTheMergingSlow)
+{
+  std::vector<Facet> facets;
+  std::uint64_t inverse = 0x94D049BB133111EBULL; // Newton's method for the inverse modulo 2 to the 64
+  for (int i = 0; i < 6; ++i)
+    inverse *= 2 - 0x94D049BB133111EBULL * inverse;
+  Facet facet = {};
+  std::size_t corner = 0;
+  for (std::uint32_t k = 0; facets.size() < 20000; ++k) {
+    const float x = 1.0F + static_cast<float>(k) * 1e-4F;
+    const float y = 1.0F;
+    std::uint32_t bits[2];
+    std::memcpy(&bits[0], &x, sizeof(x));
+    std::memcpy(&bits[1], &y, sizeof(y));
+    std::uint64_t hash = bits[0] * 0x9E3779B97F4A7C15ULL;
+    hash = (hash ^ (hash >> 32) ^ bits[1]) * 0xBF58476D1CE4E5B9ULL;
+    hash ^= hash >> 32;
+    for (std::uint64_t slot = 0; slot < (1U << 20); ++slot) {
+      const std::uint64_t value = (slot * inverse) ^ hash;
+      const auto last = static_cast<std::uint32_t>(value);
+      const std::uint32_t exponent = (last >> 23) & 255U;
+      if (((value >> 32) & 1023U) != 0 || exponent > 130 || exponent < 90)
+        continue;
+      facet[corner][0] = x;
+      facet[corner][1] = y;
+      std::memcpy(&facet[corner][2], &last, sizeof(last));
+      corner = (corner + 1) % 3;
+      if (corner == 0)
+        facets.push_back(facet);
+    }
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const Surface surface = readSurface(write("collide.stl", binaryStl("", facets)));
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 1.0);
+  EXPECT_GT(surface.size(), 50000U);
 }
 
 } // namespace

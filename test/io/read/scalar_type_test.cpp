@@ -59,6 +59,40 @@ TEST(ScalarType, ColumnsSkipWhatIsBetween)
   EXPECT_EQ(vectors, (std::vector<Vector3>{{1.0F, 1.0F, 5.0F}, {1.0F, 1.0F, -6.0F}, {1.0F, 1.0F, 7.0F}}));
 }
 
+TEST(ScalarType, AnOriginIsSubtractedBeforeRounding)
+{
+  const std::string bytes = Bytes().add(5400000.125).str();
+  EXPECT_EQ(loadFloat(bytes.data(), ScalarType::Float64, false, 5400000.0), 0.125F);
+  std::vector<Vector3> vectors(1);
+  copyColumn({bytes.data(), 8, ScalarType::Float64, false}, 1, vectors, 5400000.0);
+  EXPECT_EQ(vectors[0][1], 0.125F);
+}
+
+TEST(ScalarType, StoresTheNearestThatTheTypeHolds)
+{
+  const auto stored = [](ScalarType type, double value) {
+    std::string bytes(sizeOf(type) + 1, 'x');
+    storeScalar(bytes.data() + 1, type, value); // at an odd address
+    return loadInteger(bytes.data() + 1, type, false);
+  };
+  EXPECT_EQ(stored(ScalarType::UInt8, 200.0), 200);
+  EXPECT_EQ(stored(ScalarType::UInt8, -1.0), 0);
+  EXPECT_EQ(stored(ScalarType::Int16, 1e9), 32767);
+  EXPECT_EQ(stored(ScalarType::UInt32, 4294967295.0), 4294967295);
+  EXPECT_EQ(stored(ScalarType::Int64, -1e300), std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(stored(ScalarType::Int32, std::nan("")), 0);
+  char bytes[sizeof(double)];
+  storeScalar(bytes, ScalarType::Float64, 0.1);
+  EXPECT_EQ(loadScalar<double>(bytes, false), 0.1);
+}
+
+TEST(ScalarType, KindsAreThoseOfPcd)
+{
+  EXPECT_EQ(kindOf(ScalarType::Float64), 'F');
+  EXPECT_EQ(kindOf(ScalarType::Int16), 'I');
+  EXPECT_EQ(kindOf(ScalarType::UInt64), 'U');
+}
+
 } // namespace
 } // namespace test
 } // namespace symmetry

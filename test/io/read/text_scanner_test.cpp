@@ -111,6 +111,17 @@ TEST_F(TextScannerTest, NumbersAreThoseOfTheStandardLibrary)
   EXPECT_EQ(numberOf("-1e-999999"), 0.0F);
 }
 
+TEST_F(TextScannerTest, AnOriginIsSubtractedBeforeRounding)
+{
+  const FileContent file = text("5400000.125 5400000.125 1e999 0.1");
+  TextScanner scanner(file);
+  scanner.nextLine();
+  EXPECT_EQ(scanner.numberFrom(5400000.0), 0.125F);
+  EXPECT_EQ(scanner.numberFrom(0.0), 5400000.0F);
+  EXPECT_EQ(scanner.preciseNumber(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(scanner.preciseNumber(), 0.1);
+}
+
 TEST_F(TextScannerTest, ComplaintsNameLineAndWord)
 {
   const auto complaint = [this](const std::string& line, auto read) {

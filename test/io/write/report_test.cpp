@@ -27,6 +27,7 @@ TEST_F(Report, HoldsWhatWasFound)
   EXPECT_EQ(report.at("matches"), 2);
   const Json& input = report.at("input");
   EXPECT_EQ(input.at("file"), "some file.ply");
+  EXPECT_TRUE(input.at("notes").empty());
   EXPECT_EQ(input.at("points"), 6);
   EXPECT_EQ(input.at("faces"), 4);
   EXPECT_EQ(input.at("used"), 5);
@@ -96,12 +97,14 @@ TEST_F(Report, IsJsonWhateverTheNumbersAndNames)
   SymmetryResult result = roofSymmetry();
   result.diameter = std::numeric_limits<float>::infinity();
   result.map.involution = std::numeric_limits<float>::quiet_NaN();
+  result.input.notes = {"line 3: \"passed over\""};
   result.input.used = 7; // more than the points: dropped must not wrap round
   writeReport(path("report.json"), "quote \" and \xFF", {}, result);
   const Json report = Json::parse(read(path("report.json")));
   EXPECT_TRUE(report.at("diameter").is_null());
   EXPECT_TRUE(report.at("map").at("involution").is_null());
   EXPECT_EQ(report.at("input").at("dropped"), 0);
+  EXPECT_EQ(report.at("input").at("notes").at(0), "line 3: \"passed over\"");
 }
 
 } // namespace

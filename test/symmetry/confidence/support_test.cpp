@@ -1,9 +1,8 @@
 // Local change of distances, support, and the parts that are left out.
-#include "symmetry/confidence/support.h"
-
 #include "support/coarse_body.h"
 #include "support/human.h"
 #include "symmetry/confidence/local_change.h"
+#include "symmetry/confidence/support.h"
 #include "symmetry/confidence/unsupported_parts.h"
 #include "symmetry/refine/sample_refinement.h"
 

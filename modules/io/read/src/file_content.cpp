@@ -1,7 +1,13 @@
 #include "io/read/file_content.h"
 
+#include "io/read/surface_builder.h"
+
+#include <boost/iostreams/device/array.hpp>
+#include <boost/iostreams/filter/gzip.hpp>
+#include <boost/iostreams/filtering_streambuf.hpp>
 #include <pcl/exceptions.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -68,6 +74,41 @@ FileContent::FileContent(const std::string& path) : path_(path)
       fail("became shorter while it was read");
     size_ += static_cast<std::size_t>(count);
   }
+}
+
+void
+FileContent::unpackGzip()
+{
+  namespace io = boost::iostreams;
+  const std::uint64_t most = mostUnpacked(size_);
+  std::size_t capacity = std::size_t{1} << 16;
+  std::size_t unpacked = 0;
+  std::unique_ptr<char[]> bytes(new char[capacity]);
+  try {
+    io::filtering_istreambuf stream;
+    stream.push(io::gzip_decompressor());
+    stream.push(io::array_source(bytes_.get(), size_));
+    for (;;) {
+      const std::streamsize room = static_cast<std::streamsize>(capacity - unpacked);
+      const std::streamsize count = stream.sgetn(bytes.get() + unpacked, room);
+      unpacked += static_cast<std::size_t>(std::max<std::streamsize>(count, 0));
+      if (count < room)
+        break;
+      if (unpacked > most)
+        fail("unpacks to more than " + std::to_string(most) + " bytes: unpack it first if it can be trusted");
+      std::unique_ptr<char[]> larger(new char[2 * capacity]);
+      std::copy_n(bytes.get(), unpacked, larger.get());
+      bytes = std::move(larger);
+      capacity *= 2;
+    }
+  }
+  catch (const io::gzip_error&) {
+    fail("is not compressed by gzip, or truncated or damaged");
+  }
+  if (unpacked == 0)
+    fail("is empty once unpacked");
+  bytes_ = std::move(bytes);
+  size_ = unpacked;
 }
 
 void

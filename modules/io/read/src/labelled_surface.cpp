@@ -9,6 +9,8 @@
 #include <pcl/io/ply_io.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace symmetry {
@@ -57,6 +59,28 @@ integerField(
   return values;
 }
 
+/** \brief Makes double coordinates, which files at map coordinates have, floats as PCL's point types want them: relative
+ * to the first finite point, since what is shown need not be at its place. */
+void
+toFloatPositions(PCLPointCloud2& cloud)
+{
+  const std::size_t points = std::size_t{cloud.width} * cloud.height;
+  for (PCLPointField& field : cloud.fields) {
+    if ((field.name != "x" && field.name != "y" && field.name != "z") || field.datatype != PCLPointField::FLOAT64)
+      continue;
+    double origin = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < points; ++i) {
+      char* const bytes = reinterpret_cast<char*>(cloud.data.data()) + i * cloud.point_step + field.offset;
+      const auto value = loadScalar<double>(bytes, false);
+      if (!std::isfinite(origin))
+        origin = value;
+      const auto moved = static_cast<float>(value - origin);
+      std::memcpy(bytes, &moved, sizeof(moved));
+    }
+    field.datatype = PCLPointField::FLOAT32; // the other half of each value becomes padding
+  }
+}
+
 PolygonMesh
 readMesh(const std::string& path)
 {
@@ -71,6 +95,7 @@ readMesh(const std::string& path)
     throw IOException(path + ": is neither .ply nor .pcd");
   if (status < 0 || mesh.cloud.data.empty())
     throw IOException(path + ": cannot be read, or holds no points");
+  toFloatPositions(mesh.cloud);
   return mesh;
 }
 

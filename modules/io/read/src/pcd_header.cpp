@@ -56,7 +56,7 @@ public:
     PcdHeader header;
     header.format = readFormat();
     header.fields = readFields();
-    header.points = readPoints();
+    header.points = readPoints(header);
     text_.finishLine();
     header.end_byte = text_.position();
     header.end_line = text_.line();
@@ -102,14 +102,14 @@ private:
   PcdFormat
   readFormat() const
   {
-    const std::string& word = wordsOf("DATA", 1).front();
+    const std::string word = toLower(wordsOf("DATA", 1).front());
     if (word == "ascii")
       return PcdFormat::Text;
     if (word == "binary")
       return PcdFormat::Binary;
     if (word == "binary_compressed")
       return PcdFormat::Compressed;
-    failAt("DATA", quoted(word) + " is not a kind of data: ascii, binary or binary_compressed");
+    failAt("DATA", quoted(wordsOf("DATA", 1).front()) + " is not a kind of data: ascii, binary or binary_compressed");
   }
 
   std::vector<PcdField>
@@ -129,8 +129,8 @@ private:
     for (std::size_t i = 0; i < fields.size(); ++i) {
       fields[i].name = names[i];
       fields[i].value_bytes = toSize("SIZE", sizes[i], 1, most_point_bytes);
-      fields[i].count = toSize("COUNT", counts[i], 1, most_point_bytes);
-      fields[i].is_number = findType(types[i], fields[i].value_bytes, fields[i].type);
+      fields[i].count = toSize("COUNT", counts[i], 0, most_point_bytes); // 0: the field is named, but takes no room
+      fields[i].is_number = findType(toLower(types[i]), fields[i].value_bytes, fields[i].type);
       point_bytes += fields[i].bytes();
       if (point_bytes > most_point_bytes)
         failAt("SIZE", "the fields of one point take more than " + std::to_string(most_point_bytes) + " bytes");
@@ -142,10 +142,10 @@ private:
   findType(const std::string& letter, std::size_t bytes, ScalarType& type)
   {
     static const std::map<std::pair<std::string, std::size_t>, ScalarType> types = {
-        {{"I", 1}, ScalarType::Int8},   {{"I", 2}, ScalarType::Int16},  {{"I", 4}, ScalarType::Int32},
-        {{"I", 8}, ScalarType::Int64},  {{"U", 1}, ScalarType::UInt8},  {{"U", 2}, ScalarType::UInt16},
-        {{"U", 4}, ScalarType::UInt32}, {{"U", 8}, ScalarType::UInt64}, {{"F", 4}, ScalarType::Float32},
-        {{"F", 8}, ScalarType::Float64}};
+        {{"i", 1}, ScalarType::Int8},   {{"i", 2}, ScalarType::Int16},  {{"i", 4}, ScalarType::Int32},
+        {{"i", 8}, ScalarType::Int64},  {{"u", 1}, ScalarType::UInt8},  {{"u", 2}, ScalarType::UInt16},
+        {{"u", 4}, ScalarType::UInt32}, {{"u", 8}, ScalarType::UInt64}, {{"f", 4}, ScalarType::Float32},
+        {{"f", 8}, ScalarType::Float64}};
     const auto found = types.find({letter, bytes});
     if (found == types.end())
       return false;
@@ -154,7 +154,7 @@ private:
   }
 
   std::size_t
-  readPoints() const
+  readPoints(PcdHeader& header) const
   {
     const std::uint64_t width = toSize("WIDTH", wordsOf("WIDTH", 1).front(), 0, most_points);
     const std::uint64_t height = has("HEIGHT") ? toSize("HEIGHT", wordsOf("HEIGHT", 1).front(), 0, most_points) : 1;
@@ -162,6 +162,7 @@ private:
       failAt("WIDTH", "more points than can be numbered");
     if (has("POINTS") && toSize("POINTS", wordsOf("POINTS", 1).front(), 0, most_points) != width * height)
       failAt("POINTS", "POINTS is not WIDTH times HEIGHT");
+    header.width = height > 1 ? static_cast<std::size_t>(width) : 0;
     return static_cast<std::size_t>(width * height);
   }
 

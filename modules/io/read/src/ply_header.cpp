@@ -4,6 +4,7 @@
 #include "io/read/text_scanner.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace pcl {
@@ -85,6 +86,42 @@ readProperty(TextScanner& text)
   return property;
 }
 
+/** \brief Reads `num_cols` or `num_rows` and its number; other words have no meaning. */
+void
+readRaster(TextScanner& text, PlyHeader& header)
+{
+  const std::string_view name = text.word();
+  std::int64_t count = 0;
+  if (!parseInteger(text.word(), count) || count < 1 || static_cast<std::uint64_t>(count) > most_points)
+    return;
+  if (name == "num_cols")
+    header.columns = static_cast<std::size_t>(count);
+  else if (name == "num_rows")
+    header.rows = static_cast<std::size_t>(count);
+}
+
+/** \brief Whether a word is a keyword with one letter, or two, too many, too few, or other ones. */
+bool
+isMisspelled(const std::string& word)
+{
+  for (const std::string keyword : {"format", "element", "property", "end_header", "comment", "obj_info"}) {
+    // Levenshtein's distance, row by row.
+    std::vector<std::size_t> row(keyword.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < word.size() && i < 2 * keyword.size(); ++i) {
+      std::size_t diagonal = row[0]++;
+      for (std::size_t j = 0; j < keyword.size(); ++j) {
+        const std::size_t replaced = diagonal + (word[i] == keyword[j] ? 0 : 1);
+        diagonal = row[j + 1];
+        row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+      }
+    }
+    if (row.back() <= 2)
+      return true;
+  }
+  return false;
+}
+
 /** \brief Reads the lines between the first and end_header; true where one of them gave the format. */
 bool
 readStatements(TextScanner& text, PlyHeader& header)
@@ -95,8 +132,12 @@ readStatements(TextScanner& text, PlyHeader& header)
     const std::string_view keyword = text.word();
     if (keyword == "end_header")
       return has_format;
-    if (keyword == "comment" || keyword == "obj_info")
+    if (keyword == "comment")
       continue;
+    if (keyword == "obj_info") {
+      readRaster(text, header);
+      continue;
+    }
     if (keyword == "format") {
       header.format = readFormat(text);
       has_format = true;
@@ -107,8 +148,12 @@ readStatements(TextScanner& text, PlyHeader& header)
     else if (keyword == "property" && !header.elements.empty()) {
       header.elements.back().properties.push_back(readProperty(text));
     }
-    else {
+    else if (keyword == "property" || isMisspelled(toLower(keyword))) {
       text.fail("unexpected " + quoted(keyword) + " in the header");
+    }
+    else if (header.notes.empty()) { // the second line of a comment, mostly
+      header.notes.push_back("line " + std::to_string(text.line()) + ": lines of the header without keyword, first " +
+                             quoted(keyword) + ", were passed over");
     }
   }
 }

@@ -1,3 +1,4 @@
+#include "io/read/point_fields.h"
 #include "io/read/readers.h"
 #include "io/read/surface_builder.h"
 #include "io/read/text_scanner.h"
@@ -9,8 +10,8 @@ namespace {
 /** \brief The surface as far as it is read, with what can only be judged at the end. */
 class ObjReader {
 public:
-  explicit ObjReader(const FileContent& file)
-      : file_(file), text_(file, {/*hash_comments=*/true, /*backslash_continues=*/true})
+  ObjReader(const FileContent& file, const Reading& reading)
+      : file_(file), origin_(reading.origin), text_(file, {/*hash_comments=*/true, /*backslash_continues=*/true})
   {
   }
 
@@ -25,6 +26,7 @@ public:
                                                 std::to_string(surface_.size()));
     if (!normals_match_points_ || surface_.normals.size() != surface_.size())
       surface_.normals.clear();
+    surface_.fields = colourFields(colours_, surface_.size());
     return std::move(surface_);
   }
 
@@ -34,27 +36,42 @@ private:
   {
     const std::string_view keyword = text_.word();
     if (keyword == "v") {
-      surface_.points.push_back(readVector());
-      while (!text_.atLineEnd())
-        text_.number(); // weight or colour
+      surface_.points.push_back(readVector(origin_));
+      readColour();
       if (surface_.size() > most_points)
         text_.fail("more points than can be numbered");
     }
     else if (keyword == "vn") {
-      surface_.normals.push_back(readVector());
+      surface_.normals.push_back(readVector({0.0, 0.0, 0.0}));
       text_.needLineEnd();
     }
-    else if (keyword == "f") {
+    else if (keyword == "f" || keyword == "fo") { // fo: a face of the first versions of the format
       readFace();
     }
   }
 
-  Vector3
-  readVector()
+  /** \brief Reads what follows a position: a weight, or a colour, which counts where all points have one. */
+  void
+  readColour()
   {
-    const float x = text_.number();
-    const float y = text_.number();
-    return {x, y, text_.number()};
+    const std::size_t before = colours_.size();
+    while (!text_.atLineEnd()) {
+      const float number = text_.number();
+      if (colours_.size() <= before + 4) // one more than a colour has tells that it is none
+        colours_.push_back(number);
+    }
+    all_coloured_ = all_coloured_ && (colours_.size() == before + 3 || colours_.size() == before + 4) &&
+                    colours_.size() % surface_.size() == 0;
+    if (!all_coloured_)
+      colours_.clear();
+  }
+
+  Vector3
+  readVector(const std::array<double, 3>& origin)
+  {
+    const float x = text_.numberFrom(origin[0]);
+    const float y = text_.numberFrom(origin[1]);
+    return {x, y, text_.numberFrom(origin[2])};
   }
 
   void
@@ -68,7 +85,8 @@ private:
     appendPolygon(corners_, surface_.triangles);
   }
 
-  /** \brief Takes apart `v`, `v/vt`, `v//vn` or `v/vt/vn`. */
+  /** \brief Takes apart `v`, `v/vt`, `v//vn` or `v/vt/vn`; an empty index behind a slash, as in `v//` or `v/vt/`, is
+   * none. */
   Index
   readCorner(std::string_view word)
   {
@@ -80,8 +98,10 @@ private:
       const std::string_view texture = rest.substr(0, second_slash);
       if (!texture.empty())
         needInteger(word, texture);
-      if (second_slash != std::string_view::npos) {
-        const std::int64_t normal = readIndex(word, rest.substr(second_slash + 1), surface_.normals.size());
+      const std::string_view last =
+          second_slash == std::string_view::npos ? std::string_view() : rest.substr(second_slash + 1);
+      if (!last.empty()) {
+        const std::int64_t normal = readIndex(word, last, surface_.normals.size());
         normals_match_points_ = normals_match_points_ && normal == point;
       }
     }
@@ -113,9 +133,12 @@ private:
   }
 
   const FileContent& file_;
+  const std::array<double, 3>& origin_;
   TextScanner text_;
   Surface surface_;
   std::vector<Index> corners_;
+  std::vector<float> colours_;
+  bool all_coloured_ = true;
   bool normals_match_points_ = true;
   std::int64_t largest_index_ = -1;
   std::size_t largest_index_line_ = 0;
@@ -124,9 +147,9 @@ private:
 } // namespace
 
 Surface
-readObj(const FileContent& file)
+readObj(const FileContent& file, Reading& reading)
 {
-  return ObjReader(file).read();
+  return ObjReader(file, reading).read();
 }
 
 } // namespace symmetry

@@ -1,4 +1,6 @@
 #include "io/read/ply_header.h"
+#include "io/read/ply_records.h"
+#include "io/read/point_fields.h"
 #include "io/read/readers.h"
 #include "io/read/surface_builder.h"
 #include "io/read/text_scanner.h"
@@ -8,154 +10,6 @@
 namespace pcl {
 namespace symmetry {
 namespace {
-
-/** \brief Delivers the values of ascii records, one record a line. */
-class TextRecords {
-public:
-  TextRecords(const FileContent& file, const PlyHeader& header) : text_(file, {}, header.end_byte, header.end_line)
-  {
-  }
-
-  void
-  beginRecord()
-  {
-    text_.needLine("a further record");
-  }
-
-  void
-  endRecord()
-  {
-    text_.needLineEnd();
-  }
-
-  float
-  number(ScalarType /*type*/)
-  {
-    return text_.number();
-  }
-
-  std::int64_t
-  integer(ScalarType /*type*/)
-  {
-    return text_.integer();
-  }
-
-  void
-  skip(ScalarType /*type*/, std::size_t count)
-  {
-    for (std::size_t i = 0; i < count; ++i)
-      text_.number();
-  }
-
-  bool
-  mayHold(ScalarType /*type*/, std::uint64_t count) const
-  {
-    return fitsInto(count, 2, text_.remaining());
-  }
-
-  void
-  finish()
-  {
-    if (text_.nextLine())
-      text_.fail("unexpected " + quoted(text_.word()) + " behind the last record");
-  }
-
-  [[noreturn]] void
-  fail(const std::string& reason) const
-  {
-    text_.fail(reason);
-  }
-
-private:
-  TextScanner text_;
-};
-
-/** \brief Delivers the values of binary records. */
-class BinaryRecords {
-public:
-  BinaryRecords(const FileContent& file, const PlyHeader& header)
-      : file_(file), position_(header.end_byte), swap_bytes_(header.format == PlyFormat::BigEndian)
-  {
-  }
-
-  void
-  beginRecord()
-  {
-  }
-
-  void
-  endRecord()
-  {
-  }
-
-  float
-  number(ScalarType type)
-  {
-    return loadFloat(take(type, 1), type, swap_bytes_);
-  }
-
-  std::int64_t
-  integer(ScalarType type)
-  {
-    return loadInteger(take(type, 1), type, swap_bytes_);
-  }
-
-  void
-  skip(ScalarType type, std::size_t count)
-  {
-    take(type, count);
-  }
-
-  bool
-  mayHold(ScalarType type, std::uint64_t count) const
-  {
-    return fitsInto(count, sizeOf(type), file_.size() - position_);
-  }
-
-  void
-  finish()
-  {
-    // Bytes behind the last record are padding of some writers.
-  }
-
-  /** \brief All records of an element without lists at once.
-   * \return one column per property */
-  std::vector<ScalarColumn>
-  takeColumns(const PlyElement& element)
-  {
-    std::size_t record_bytes = 0;
-    for (const PlyProperty& property : element.properties)
-      record_bytes += sizeOf(property.type);
-    const char* first = take(ScalarType::UInt8, element.count * record_bytes);
-    std::vector<ScalarColumn> columns;
-    for (const PlyProperty& property : element.properties) {
-      columns.push_back({first, record_bytes, property.type, swap_bytes_});
-      first += sizeOf(property.type);
-    }
-    return columns;
-  }
-
-  [[noreturn]] void
-  fail(const std::string& reason) const
-  {
-    file_.failAtByte(position_, reason);
-  }
-
-private:
-  const char*
-  take(ScalarType type, std::size_t count)
-  {
-    if (!mayHold(type, count))
-      file_.failAtByte(file_.size(), "the file ends within a record");
-    const char* const bytes = file_.data() + position_;
-    position_ += count * sizeOf(type);
-    return bytes;
-  }
-
-  const FileContent& file_;
-  std::size_t position_;
-  bool swap_bytes_;
-};
 
 /** \brief What becomes of a property. */
 enum class Role { Skip, Position, Normal, Polygon, Strip };
@@ -171,10 +25,11 @@ useOf(const PlyElement& element, const PlyProperty& property)
   static const std::string positions[] = {"x", "y", "z"};
   static const std::string normals[] = {"nx", "ny", "nz"};
   if (element.name == "vertex" && !property.is_list) {
+    const std::string name = toLower(property.name); // some write X Y Z
     for (std::size_t i = 0; i < 3; ++i) {
-      if (property.name == positions[i])
+      if (name == positions[i])
         return {Role::Position, i};
-      if (property.name == normals[i])
+      if (name == normals[i])
         return {Role::Normal, i};
     }
   }
@@ -190,7 +45,8 @@ useOf(const PlyElement& element, const PlyProperty& property)
 /** \brief Builds the surface from the records. */
 class PlyReader {
 public:
-  PlyReader(const FileContent& file, const PlyHeader& header) : file_(file), header_(header)
+  PlyReader(const FileContent& file, const PlyHeader& header, Reading& reading)
+      : file_(file), header_(header), reading_(reading)
   {
     const PlyElement& vertices = findVertices();
     if (countUses(vertices, Role::Position) != 3)
@@ -198,15 +54,26 @@ public:
     surface_.points.resize(vertices.count);
     if (countUses(vertices, Role::Normal) == 3)
       surface_.normals.resize(vertices.count);
+    for (std::size_t i = 0; i < vertices.properties.size(); ++i) {
+      const PlyProperty& property = vertices.properties[i];
+      const Role role = useOf(vertices, property).role;
+      if (!property.is_list && (role == Role::Skip || (role == Role::Normal && surface_.normals.empty())))
+        fields_.add(i, property.name, property.type, 1);
+    }
+    fields_.resize(vertices.count);
   }
 
   Surface
   read()
   {
+    reading_.single_precision = hasSinglePrecision();
     if (header_.format == PlyFormat::Text)
       readElements(TextRecords(file_, header_));
     else
       readElements(BinaryRecords(file_, header_));
+    const bool is_raster = header_.rows > 1 && fitsInto(header_.rows, header_.columns, surface_.size()) &&
+                           header_.rows * header_.columns == surface_.size();
+    surface_.fields = fields_.take(is_raster ? header_.columns : 0, is_raster ? header_.rows : 0);
     return std::move(surface_);
   }
 
@@ -225,6 +92,16 @@ private:
     if (found == nullptr)
       file_.fail("the header has no element 'vertex'");
     return *found;
+  }
+
+  bool
+  hasSinglePrecision() const
+  {
+    const PlyElement& vertices = findVertices();
+    return header_.format != PlyFormat::Text &&
+           std::any_of(vertices.properties.begin(), vertices.properties.end(), [&](const PlyProperty& property) {
+             return useOf(vertices, property).role == Role::Position && property.type == ScalarType::Float32;
+           });
   }
 
   static std::size_t
@@ -250,7 +127,7 @@ private:
       if (!readColumns(element, records))
         readRecords(element, records);
     }
-    records.finish();
+    records.finish(reading_.notes);
   }
 
   bool
@@ -269,9 +146,11 @@ private:
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const PropertyUse use = useOf(element, element.properties[i]);
       if (use.role == Role::Position)
-        copyColumn(columns[i], use.component, surface_.points);
+        copyColumn(columns[i], use.component, surface_.points, reading_.origin[use.component]);
       else if (use.role == Role::Normal && !surface_.normals.empty())
         copyColumn(columns[i], use.component, surface_.normals);
+      else if (element.name == "vertex")
+        fields_.copy(i, columns[i]);
     }
     return true;
   }
@@ -283,28 +162,31 @@ private:
     std::vector<PropertyUse> uses;
     for (const PlyProperty& property : element.properties)
       uses.push_back(useOf(element, property));
-    if (element.name == "face")
-      surface_.triangles.reserve(element.count);
+    const bool is_vertex = element.name == "vertex";
+    if (element.name == "face" && !uses.empty()) // a promise that costs nothing reserves nothing
+      surface_.triangles.reserve(std::min(element.count, records.mostRecords(element)));
     for (std::size_t i = 0; i < element.count && !uses.empty(); ++i) {
       records.beginRecord();
       for (std::size_t j = 0; j < uses.size(); ++j) {
         if (element.properties[j].is_list)
           readList(element.properties[j], uses[j].role, records);
         else
-          readValue(element.properties[j].type, uses[j], i, records);
+          readValue(element.properties[j].type, uses[j], i, is_vertex ? j : no_field, records);
       }
-      records.endRecord();
+      records.endRecord(/*lenient=*/!is_vertex);
     }
   }
 
   template <typename Records>
   void
-  readValue(ScalarType type, PropertyUse use, std::size_t record, Records& records)
+  readValue(ScalarType type, PropertyUse use, std::size_t record, std::size_t field, Records& records)
   {
     if (use.role == Role::Position)
-      surface_.points[record][use.component] = records.number(type);
+      surface_.points[record][use.component] = records.number(type, reading_.origin[use.component]);
     else if (use.role == Role::Normal && !surface_.normals.empty())
-      surface_.normals[record][use.component] = records.number(type);
+      surface_.normals[record][use.component] = records.number(type, 0.0);
+    else if (fields_.keeps(field))
+      records.store(type, fields_.place(field, record, 0));
     else
       records.skip(type, 1);
   }
@@ -345,6 +227,10 @@ private:
 
   const FileContent& file_;
   const PlyHeader& header_;
+  Reading& reading_;
+  static constexpr std::size_t no_field = static_cast<std::size_t>(-1);
+
+  FieldCollector fields_;
   Surface surface_;
   std::vector<Index> corners_;
 };
@@ -352,10 +238,11 @@ private:
 } // namespace
 
 Surface
-readPly(const FileContent& file)
+readPly(const FileContent& file, Reading& reading)
 {
   const PlyHeader header = readPlyHeader(file);
-  return PlyReader(file, header).read();
+  reading.notes = header.notes;
+  return PlyReader(file, header, reading).read();
 }
 
 } // namespace symmetry

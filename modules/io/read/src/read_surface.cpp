@@ -1,57 +1,52 @@
+#include "io/read/map_offset.h"
 #include "io/read/readers.h"
 
 #include <pcl/symmetry/surface_io.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <sstream>
 
 namespace pcl {
 namespace symmetry {
 namespace {
 
 Surface
-readByEnding(const FileContent& file, const std::string& ending)
+readByEnding(const FileContent& file, const std::string& ending, Reading& reading)
 {
   if (ending == ".ply")
-    return readPly(file);
+    return readPly(file, reading);
   if (ending == ".pcd")
-    return readPcd(file);
+    return readPcd(file, reading);
   if (ending == ".obj")
-    return readObj(file);
+    return readObj(file, reading);
   if (ending == ".off")
-    return readOff(file);
+    return readOff(file, reading);
   if (ending == ".stl")
-    return readStl(file);
-  file.fail("unknown ending '" + ending + "': a surface is read from .pcd, .ply, .obj, .off or .stl");
+    return readStl(file, reading);
+  file.fail("unknown ending '" + ending + "': a surface is read from .pcd, .ply, .obj, .off or .stl, or from such a " +
+            "file compressed, with .gz behind");
 }
 
-/** Refuses points so far from the origin that as floats few steps are left across them: map coordinates, usually. */
+/** \brief Names what is no text of any format, and yet may have the right ending. */
+void
+checkBeginning(const FileContent& file)
+{
+  const std::string_view beginning = file.view().substr(0, 2);
+  if (beginning == "\x1F\x8B")
+    file.fail("is compressed by gzip: its name must end in .gz");
+  if (beginning == "\xFF\xFE" || beginning == "\xFE\xFF")
+    file.fail("is text in UTF-16: only ASCII and UTF-8 are read");
+}
+
+/** \brief Refuses floats that have lost the shape: digits that were never written cannot be restored. */
 void
 checkResolution(const FileContent& file, const Surface& surface)
 {
   constexpr double fewest_steps = 500.0;
-  double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  double farthest = 0.0;
-  for (const Vector3& p : surface.points) {
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-      continue;
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], double{p[k]});
-      high[k] = std::max(high[k], double{p[k]});
-      farthest = std::max(farthest, std::abs(double{p[k]}));
-    }
-  }
-  const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-  const double step = farthest * double{std::numeric_limits<float>::epsilon()};
-  if (extent > 0.0 && extent < fewest_steps * step) {
-    std::ostringstream message;
-    message << "the points are too far from the origin (" << farthest << ") for their extent (" << extent
-            << "): single precision leaves too few digits; move them to the origin";
-    file.fail(message.str());
-  }
+  const double steps = stepsAcross(surface);
+  if (steps < fewest_steps)
+    file.fail("holds its coordinates as floats, too far from the origin: they leave " +
+              std::to_string(static_cast<int>(steps)) + " steps across the whole surface; write the file in double " +
+              "precision, or nearer to the origin");
 }
 
 } // namespace
@@ -59,11 +54,32 @@ checkResolution(const FileContent& file, const Surface& surface)
 Surface
 readSurface(const std::string& path)
 {
-  const FileContent file(path);
-  Surface surface = readByEnding(file, fileEnding(path));
+  FileContent file(path);
+  std::string ending = fileEnding(path);
+  if (ending == ".gz") {
+    file.unpackGzip();
+    ending = fileEnding(path.substr(0, path.size() - ending.size()));
+  }
+  checkBeginning(file);
+  Reading reading;
+  Surface surface = readByEnding(file, ending, reading);
   if (surface.points.empty())
     file.fail("holds no point");
-  checkResolution(file, surface);
+
+  // Far from the origin floats are too coarse: read again, nearer to it.
+  const std::array<double, 3> offset = findOffset(surface.points);
+  if (offset != reading.origin) {
+    Reading nearer;
+    nearer.origin = offset;
+    Surface moved = readByEnding(file, ending, nearer);
+    moved.offset = offset;
+    if (stepsAcross(moved) < HUGE_VAL) { // points all at one place may stay there
+      if (nearer.single_precision)
+        checkResolution(file, moved);
+      surface = std::move(moved);
+    }
+  }
+  surface.notes = std::move(reading.notes);
   return surface;
 }
 

@@ -35,6 +35,14 @@ visitType(ScalarType type, Visitor visit)
   }
 }
 
+/** \brief \a value less \a origin, subtracted before it is rounded. */
+template <typename Number>
+float
+relativeTo(double origin, Number value)
+{
+  return origin == 0.0 ? static_cast<float>(value) : static_cast<float>(static_cast<double>(value) - origin);
+}
+
 } // namespace
 
 std::size_t
@@ -43,10 +51,37 @@ sizeOf(ScalarType type)
   return visitType(type, [](auto zero) { return sizeof(zero); });
 }
 
-float
-loadFloat(const char* bytes, ScalarType type, bool swap_bytes)
+char
+kindOf(ScalarType type)
 {
-  return visitType(type, [=](auto zero) { return static_cast<float>(loadScalar<decltype(zero)>(bytes, swap_bytes)); });
+  return visitType(type, [](auto zero) {
+    using Limits = std::numeric_limits<decltype(zero)>;
+    return !Limits::is_integer ? 'F' : Limits::is_signed ? 'I' : 'U';
+  });
+}
+
+void
+storeScalar(char* bytes, ScalarType type, double value)
+{
+  visitType(type, [=](auto zero) {
+    using Number = decltype(zero);
+    Number number = 0;
+    if constexpr (!std::numeric_limits<Number>::is_integer)
+      number = static_cast<Number>(value);
+    else if (value >= static_cast<double>(std::numeric_limits<Number>::max()))
+      number = std::numeric_limits<Number>::max();
+    else if (value <= static_cast<double>(std::numeric_limits<Number>::min()))
+      number = std::numeric_limits<Number>::min();
+    else if (value == value)
+      number = static_cast<Number>(value);
+    std::memcpy(bytes, &number, sizeof(number));
+  });
+}
+
+float
+loadFloat(const char* bytes, ScalarType type, bool swap_bytes, double origin)
+{
+  return visitType(type, [=](auto zero) { return relativeTo(origin, loadScalar<decltype(zero)>(bytes, swap_bytes)); });
 }
 
 std::int64_t
@@ -66,12 +101,12 @@ loadInteger(const char* bytes, ScalarType type, bool swap_bytes)
 }
 
 void
-copyColumn(const ScalarColumn& column, std::size_t component, std::vector<Vector3>& vectors)
+copyColumn(const ScalarColumn& column, std::size_t component, std::vector<Vector3>& vectors, double origin)
 {
   visitType(column.type, [&](auto zero) {
     const char* bytes = column.first;
     for (Vector3& vector : vectors) {
-      vector[component] = static_cast<float>(loadScalar<decltype(zero)>(bytes, column.swap_bytes));
+      vector[component] = relativeTo(origin, loadScalar<decltype(zero)>(bytes, column.swap_bytes));
       bytes += column.stride;
     }
   });

@@ -27,18 +27,19 @@ skipPlus(const char* begin, const char* end)
   return end - begin > 1 && begin[0] == '+' && begin[1] != '-' ? begin + 1 : begin;
 }
 
-/** \brief The value of a well-formed number whose exponent does not fit a float: an infinity, or a zero. */
-float
+/** \brief The value of a well-formed number whose exponent does not fit: an infinity, or a zero. */
+template <typename Number>
+Number
 parseOutOfRange(const char* begin, const char* end)
 {
   long double value = 0.0L;
   const std::from_chars_result parsed = std::from_chars(begin, end, value);
   if (parsed.ec == std::errc())
-    return static_cast<float>(value);
+    return static_cast<Number>(value);
   // Not even that holds it. Only a negative exponent makes a number that small.
   const std::string_view word(begin, static_cast<std::size_t>(parsed.ptr - begin));
   const bool tiny = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
-  const float magnitude = tiny ? 0.0F : std::numeric_limits<float>::infinity();
+  const Number magnitude = tiny ? Number{0} : std::numeric_limits<Number>::infinity();
   return *begin == '-' ? -magnitude : magnitude;
 }
 
@@ -126,19 +127,39 @@ TextScanner::word()
   return {begin, static_cast<std::size_t>(next_ - begin)};
 }
 
-float
-TextScanner::number()
+template <typename Number>
+Number
+TextScanner::parseNumber()
 {
   skipBlanks();
   const char* const begin = skipPlus(next_, end_);
-  float value = 0.0F;
+  Number value = 0;
   const std::from_chars_result parsed = std::from_chars(begin, end_, value);
   if (parsed.ec == std::errc::invalid_argument || !endsWord(parsed.ptr)) {
     const std::string_view found = word();
     fail(found.empty() ? "the line ends where a number is expected" : quoted(found) + " is not a number");
   }
   next_ = parsed.ptr;
-  return parsed.ec == std::errc::result_out_of_range ? parseOutOfRange(begin, end_) : value;
+  return parsed.ec == std::errc::result_out_of_range ? parseOutOfRange<Number>(begin, end_) : value;
+}
+
+float
+TextScanner::number()
+{
+  return parseNumber<float>();
+}
+
+double
+TextScanner::preciseNumber()
+{
+  return parseNumber<double>();
+}
+
+float
+TextScanner::numberFrom(double origin)
+{
+  // Rounded once where nothing is subtracted: a double on the way to a float would round twice.
+  return origin == 0.0 ? number() : static_cast<float>(preciseNumber() - origin);
 }
 
 std::int64_t

@@ -1,5 +1,5 @@
 #include "io/write/output_file.h"
-#include "io/write/record_writer.h"
+#include "io/write/position_writer.h"
 #include "io/write/result_check.h"
 
 #include <pcl/symmetry/surface_io.h>
@@ -42,7 +42,7 @@ appendPoints(std::string& bytes, const Surface& surface, const std::vector<Polyl
 {
   for (std::size_t curve = 0; curve < axis.size(); ++curve) {
     for (const Index index : axis[curve].points) {
-      appendBytes(bytes, surface.points[static_cast<std::size_t>(index)]);
+      appendPosition(bytes, surface, static_cast<std::size_t>(index));
       appendBytes(bytes, index);
       appendBytes(bytes, static_cast<Index>(curve));
     }
@@ -56,7 +56,7 @@ toPly(const Surface& surface, const std::vector<Polyline>& axis)
   std::string bytes = "ply\nformat binary_little_endian 1.0\n"
                       "comment index: number of the vertex in the surface; curve: number of the polyline\n";
   bytes += "element vertex " + std::to_string(countPoints(axis)) + "\n";
-  bytes += "property float x\nproperty float y\nproperty float z\nproperty int index\nproperty int curve\n";
+  bytes += plyPosition(surface) + "property int index\nproperty int curve\n";
   bytes +=
       "element edge " + std::to_string(edges.size()) + "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
   appendPoints(bytes, surface, axis);
@@ -69,8 +69,8 @@ std::string
 toPcd(const Surface& surface, const std::vector<Polyline>& axis)
 {
   const std::string points = std::to_string(countPoints(axis));
-  std::string bytes = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z index curve\n"
-                      "SIZE 4 4 4 4 4\nTYPE F F F I I\nCOUNT 1 1 1 1 1\n";
+  std::string bytes = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z index curve\n";
+  bytes += "SIZE " + pcdPositionSizes(surface) + " 4 4\nTYPE F F F I I\nCOUNT 1 1 1 1 1\n";
   bytes += "WIDTH " + points + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + points + "\nDATA binary\n";
   appendPoints(bytes, surface, axis);
   return bytes;

@@ -47,7 +47,8 @@ describeInput(const std::string& file, const InputSummary& input)
           {"bridges", input.bridges},
           {"distrusted_edges", input.distrusted_edges},
           {"read_as_cloud", input.read_as_cloud},
-          {"smoothing_radius", toJson(input.smoothing_radius)}};
+          {"smoothing_radius", toJson(input.smoothing_radius)},
+          {"notes", input.notes}};
 }
 
 Json
