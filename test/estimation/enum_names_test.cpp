@@ -42,7 +42,7 @@ TEST(EnumNames, AreThoseOfReportsAndOptions)
   EXPECT_EQ(allNames(metric_names), "geodesic or euclidean");
   EXPECT_EQ(allNames(normal_source_names), "estimate or given");
   EXPECT_EQ(allNames(pairing_names), "agd or mgd or size");
-  EXPECT_EQ(allNames(status_names), "symmetric or no_symmetry or too_few_points or cancelled");
+  EXPECT_EQ(allNames(status_names), "symmetric or partly_symmetric or no_symmetry or too_few_points or cancelled");
 }
 
 TEST(EnumNames, AreSpelledExactly)

@@ -25,7 +25,8 @@ refineContenders(const SampleRefinement& refinement,
 
 MapJudge::MapJudge(const SampledSurface& sampled)
     : sampled_(sampled),
-      spacing_(sampled.surface.is_cloud
+      // The faces of a mesh tell what is between its points, also where it is read as a cloud.
+      spacing_(sampled.surface.is_cloud && !sampled.surface.summary.read_as_cloud
                    ? measureSpacing(sampled.surface.graph, sampled.coarse.cells.vertices, sampled.landmarks.diameter)
                    : PointSpacing{})
 {
