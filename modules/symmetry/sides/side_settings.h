@@ -29,9 +29,10 @@ struct SampleSideSettings {
   int maximum_rounds = 30;     ///< usual are 5 to 10
 };
 
-/** \brief Sides grown from those that are clear, see side_growth.h. */
+/** \brief Sides grown from those that are clear, see side_growth.h; chosen on TOSCA. */
 struct GrowthOfSidesSettings {
-  float clear = 0.8F; ///< of a side function of unit mean square, about 1 away from the axis
+  float clear = 0.8F;   ///< of a side function of unit mean square, about 1 away from the axis
+  float denied = 0.25F; ///< share of its way that a point counts with for the side that its sign denies
 };
 
 /** \brief Polylines of the axis, see axis_curve.h and curve_thinning.h.

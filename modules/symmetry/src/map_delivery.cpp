@@ -15,11 +15,25 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
+/** The sides of the samples, falling off towards the axis with the way to their partners: they can be
+ * interpolated then, and one on the axis that leans to the wrong side does no harm. */
+std::vector<float>
+slopingSides(const SampledSurface& sampled, const std::vector<Index>& sample_partners)
+{
+  const float slope = 2.0F * sampleSpacing(sampled.coarse); // a way that samples resolve
+  std::vector<float> sides = sampleSides(sampled, sample_partners);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const float way = distance(sampled.coarse.points[i], sampled.surface.points[sample_partners[i]]);
+    sides[i] *= std::min(1.0F, way / slope);
+  }
+  return sides;
+}
+
 /** The sides of the samples carried over to the points, made antisymmetric under the map, grown to where it is weak. */
 std::vector<float>
 pointSides(const SampledSurface& sampled, const SampleEstimate& samples, const std::vector<Index>& partners)
 {
-  const std::vector<float> at_samples = sampleSides(sampled, samples.partners);
+  const std::vector<float> at_samples = slopingSides(sampled, samples.partners);
   std::vector<float> at_points(partners.size());
   for (std::size_t v = 0; v < partners.size(); ++v) {
     at_points[v] = sampled.interpolation.at(v, at_samples);

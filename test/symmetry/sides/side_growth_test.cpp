@@ -96,6 +96,25 @@ TEST(GrowSides, BetweenEqualsTheFunctionDecides)
             (std::vector<float>{4.0F, -4.0F, -1.0F, 1.0F}));
 }
 
+TEST(GrowSides, CrossesNoAxisThatTheFunctionKnowsWhereTheMapIsWrong)
+{
+  MirroredGrid grid;
+  for (Index v = 0; v < MirroredGrid::width * MirroredGrid::height; ++v) {
+    const float column = MirroredGrid::column(v);
+    if (std::abs(column) < 8.0F) {
+      grid.side_function[v] = 0.04F * column;
+    }
+    if (std::abs(column) < 4.0F && v / MirroredGrid::width == 14) { // a bridge of long ways across the axis
+      grid.partners[v] = v;
+      grid.ways[v] = 30.0F;
+    }
+  }
+  const std::vector<float> sides = grid.grown();
+  for (Index v = 0; v < MirroredGrid::width * MirroredGrid::height; ++v) {
+    EXPECT_GE(sides[v] * MirroredGrid::column(v), 0.0F) << v;
+  }
+}
+
 TEST(GrowSides, LeavesWhatNoSideReaches)
 {
   const SurfaceGraph graph = buildGraph(4, {{0, 1, 1.0F}, {2, 3, 1.0F}});

@@ -16,7 +16,7 @@ constexpr GrowthOfSidesSettings settings{};
 
 /** A point next to one that has a side. */
 struct Reached {
-  float way;
+  float way;       ///< from its partner, less for the side that the side function denies
   float agreement; ///< of the side with the side function: decides between a point and its partner
   Index point;
   float side; ///< 1 or -1
@@ -81,7 +81,8 @@ private:
   {
     for (const Index w : graph_.neighboursOf(v)) {
       if (sides_[w] == 0.0F) {
-        front_.push({ways_[w], sides_[v] * side_function_[w], w, sides_[v]});
+        const float agreement = sides_[v] * side_function_[w];
+        front_.push({(agreement > 0.0F ? 1.0F : settings.denied) * ways_[w], agreement, w, sides_[v]});
       }
     }
   }
