@@ -4,7 +4,7 @@
 #pragma once
 
 #include "symmetry/samples/landmark_surface.h"
-#include "symmetry/sides/side_votes.h"
+#include "symmetry/samples/sample_map.h"
 
 #include <pcl/symmetry/symmetry_result.h>
 
@@ -15,9 +15,9 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief The two pairs of swapped extremities that are farthest apart, source side first; fewer where the surface has
- * fewer. */
+ * fewer. \param[in] sides of the landmarks: negative on the target side */
 std::vector<std::pair<Index, Index>>
-swappedExtremities(const LandmarkSurface& landmarks, const SampleMap& map, const OrderedPairs& pairs);
+swappedExtremities(const LandmarkSurface& landmarks, const SampleMap& map, const std::vector<float>& sides);
 
 /** \brief Region of every landmark: limb of a pair where the landmark is nearer to its extremity than half the way
  * to the other one, else centre (as the regions of the staged method). */

@@ -5,7 +5,6 @@
  */
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 namespace pcl {
@@ -20,10 +19,20 @@ struct SideSettings {
   int maximum_rounds = 16;   ///< specks within specks are rarely nested deeper than twice
 };
 
-/** \brief The pairs that vote for the sides, see side_votes.h. */
-struct VoteSettings {
-  std::size_t maximum_pairs = 48;
-  std::array<float, 3> moved{0.5F, 0.25F, 0.1F}; ///< shares of the longest way that a pair must move, tried in turn
+/** \brief The sides of the samples, see sample_sides.h; chosen on TOSCA and generated bodies. */
+struct SampleSideSettings {
+  float landmark_blur = 4.0F;  ///< spacings by which the way over the surface to a partner is uncertain
+  double adjacency = 0.02;     ///< how clearly adjacent samples are on one side, whatever the map says
+  double minimum_degree = 1.0; ///< of a sample; six to eight are usual
+  double shift = 1e-4;         ///< of the eigenvalues, which are 2e-4 to 1e-3 for the lowest
+  double tolerance = 1e-3;     ///< change of the eigenvector in a round, of unit length
+  int maximum_rounds = 30;     ///< usual are 5 to 10
+};
+
+/** \brief Sides grown from those that are clear, see side_growth.h; chosen on TOSCA. */
+struct GrowthOfSidesSettings {
+  float clear = 0.8F;   ///< of a side function of unit mean square, about 1 away from the axis
+  float denied = 0.25F; ///< share of its way that a point counts with for the side that its sign denies
 };
 
 /** \brief Polylines of the axis, see axis_curve.h and curve_thinning.h.

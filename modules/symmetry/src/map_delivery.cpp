@@ -1,10 +1,11 @@
 #include "symmetry/map_delivery.h"
 
-#include "geodesic/shortest_paths.h"
+#include "base/vector_math.h"
 #include "symmetry/confidence/distinct_symmetries.h"
 #include "symmetry/refine/point_map.h"
 #include "symmetry/sides/limb_regions.h"
-#include "symmetry/sides/side_votes.h"
+#include "symmetry/sides/sample_sides.h"
+#include "symmetry/sides/side_growth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,29 +15,36 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-/** Votes of the ordered pairs at every sample, carried over to the points and made antisymmetric under the map. */
+/** The sides of the samples, falling off towards the axis with the way to their partners: they can be
+ * interpolated then, and one on the axis that leans to the wrong side does no harm. */
 std::vector<float>
-pointSides(const SampledSurface& sampled, const OrderedPairs& pairs, const std::vector<Index>& partners)
+slopingSides(const SampledSurface& sampled, const std::vector<Index>& sample_partners)
 {
-  const SampleInterpolation& interpolation = sampled.interpolation;
-  const DistanceFields from_sources = distanceFields(sampled.coarse.graph, pairs.sources, sampled.threads);
-  const DistanceFields from_targets = distanceFields(sampled.coarse.graph, pairs.targets, sampled.threads);
-  std::vector<float> votes(sampled.coarse.size(), 0.0F);
-  for (std::size_t k = 0; k < pairs.sources.size(); ++k) {
-    const float apart = from_sources.row(k)[pairs.targets[k]] * static_cast<float>(pairs.sources.size());
-    for (std::size_t i = 0; i < votes.size(); ++i) {
-      votes[i] += (from_targets.row(k)[i] - from_sources.row(k)[i]) / apart;
-    }
-  }
-  std::vector<float> at_points(interpolation.offsets.size() - 1);
-  for (std::size_t v = 0; v < at_points.size(); ++v) {
-    at_points[v] = interpolation.at(v, votes);
-  }
-  std::vector<float> sides = at_points;
-  for (std::size_t v = 0; v < partners.size(); ++v) {
-    sides[v] = 0.5F * (at_points[v] - at_points[partners[v]]);
+  const float slope = 2.0F * sampleSpacing(sampled.coarse); // a way that samples resolve
+  std::vector<float> sides = sampleSides(sampled, sample_partners);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const float way = distance(sampled.coarse.points[i], sampled.surface.points[sample_partners[i]]);
+    sides[i] *= std::min(1.0F, way / slope);
   }
   return sides;
+}
+
+/** The sides of the samples carried over to the points, made antisymmetric under the map, grown to where it is weak. */
+std::vector<float>
+pointSides(const SampledSurface& sampled, const SampleEstimate& samples, const std::vector<Index>& partners)
+{
+  const std::vector<float> at_samples = slopingSides(sampled, samples.partners);
+  std::vector<float> at_points(partners.size());
+  for (std::size_t v = 0; v < partners.size(); ++v) {
+    at_points[v] = sampled.interpolation.at(v, at_samples);
+  }
+  std::vector<float> sides(partners.size());
+  std::vector<float> ways(partners.size());
+  for (std::size_t v = 0; v < partners.size(); ++v) {
+    sides[v] = 0.5F * (at_points[v] - at_points[partners[v]]);
+    ways[v] = distance(sampled.surface.points[v], sampled.surface.points[partners[v]]);
+  }
+  return growSides(sampled.surface.graph, partners, ways, sides);
 }
 
 /** One match for every landmark on the source side that moves, with the landmark nearest to the middle of the way. */
@@ -67,11 +75,15 @@ sparseMatches(const SampledSurface& sampled, const SampleEstimate& samples, cons
   return matches;
 }
 
-/** Region of every point and the extremities of the limbs. */
+/** Region of every point and the extremities of the limbs; the sides are known. */
 void
-describeLimbs(const SampledSurface& sampled, const SampleMap& map, const OrderedPairs& pairs, MapEstimate& estimate)
+describeLimbs(const SampledSurface& sampled, const SampleMap& map, MapEstimate& estimate)
 {
-  const auto limbs = swappedExtremities(sampled.landmarks, map, pairs);
+  std::vector<float> sides;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    sides.push_back(estimate.side_function[sampled.coarse.cells.vertices[i]]);
+  }
+  const auto limbs = swappedExtremities(sampled.landmarks, map, sides);
   const std::vector<Region> landmark_regions = limbRegions(sampled.landmarks, limbs);
   for (const Index cell : sampled.coarse.cells.owner) {
     estimate.regions.push_back(landmark_regions[sampled.landmarks.nearest_landmark[cell]]);
@@ -98,11 +110,10 @@ void
 deliverMap(const SampledSurface& sampled, const SampleEstimate& samples, MapEstimate& estimate)
 {
   estimate.partners = partnersOfPoints(sampled, samples.partners);
-  const OrderedPairs pairs = orderPairs(sampled.landmarks, samples.landmark_map);
-  estimate.side_function = pointSides(sampled, pairs, estimate.partners);
+  estimate.side_function = pointSides(sampled, samples, estimate.partners);
   estimate.matches = sparseMatches(sampled, samples, estimate.side_function);
   estimate.confidences = pointConfidences(sampled, samples.map, estimate.confidence);
-  describeLimbs(sampled, samples.landmark_map, pairs, estimate);
+  describeLimbs(sampled, samples.landmark_map, estimate);
 }
 
 void

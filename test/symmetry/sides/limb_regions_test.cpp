@@ -1,6 +1,5 @@
 #include "support/human.h"
 #include "symmetry/sides/limb_regions.h"
-#include "symmetry/sides/side_votes.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +8,24 @@ using namespace pcl::symmetry::test;
 
 namespace {
 
+/** 1 or -1 for every landmark, 0 on the axis. */
+std::vector<float>
+trueSides()
+{
+  std::vector<float> sides;
+  for (Index i = 0; i < static_cast<Index>(human().landmarks.size()); ++i) {
+    sides.push_back(static_cast<float>(trueSide(i)));
+  }
+  return sides;
+}
+
 TEST(LimbRegions, LimbsOfTheTrueMapHoldOppositeSides)
 {
   const SampleMap map = human().trueMap();
-  const auto limbs = swappedExtremities(human().landmarks, map, orderPairs(human().landmarks, map));
+  const auto limbs = swappedExtremities(human().landmarks, map, trueSides());
   ASSERT_EQ(limbs.size(), 2U);
-  EXPECT_EQ(trueSide(limbs[0].first), trueSide(limbs[1].first));
+  EXPECT_EQ(trueSide(limbs[0].first), 1);
+  EXPECT_EQ(trueSide(limbs[1].first), 1);
   EXPECT_EQ(trueSide(limbs[0].first), -trueSide(limbs[0].second));
   EXPECT_EQ(trueSide(limbs[1].first), -trueSide(limbs[1].second));
 
@@ -33,13 +44,15 @@ TEST(LimbRegions, LimbsOfTheTrueMapHoldOppositeSides)
   }
 }
 
-TEST(LimbRegions, SourcesAreThoseOfThePairs)
+TEST(LimbRegions, SourcesAreOnTheSourceSide)
 {
   const SampleMap map = human().trueMap();
-  OrderedPairs pairs = orderPairs(human().landmarks, map);
-  const auto limbs = swappedExtremities(human().landmarks, map, pairs);
-  pairs.sources.swap(pairs.targets);
-  const auto turned = swappedExtremities(human().landmarks, map, pairs);
+  std::vector<float> sides = trueSides();
+  const auto limbs = swappedExtremities(human().landmarks, map, sides);
+  for (float& side : sides) {
+    side = -side;
+  }
+  const auto turned = swappedExtremities(human().landmarks, map, sides);
   ASSERT_EQ(limbs.size(), 2U);
   ASSERT_EQ(turned.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {

@@ -3,6 +3,7 @@
 #include "symmetry/sides/side_settings.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pcl {
 namespace symmetry {
@@ -10,21 +11,10 @@ namespace {
 
 constexpr LimbSettings settings{};
 
-/** Positive where most ordered pairs have their source end nearer. */
-float
-sideOfLandmark(const LandmarkSurface& landmarks, const OrderedPairs& pairs, Index landmark)
-{
-  float vote = 0.0F;
-  for (std::size_t k = 0; k < pairs.sources.size(); ++k) {
-    vote += landmarks.distances(landmark, pairs.targets[k]) - landmarks.distances(landmark, pairs.sources[k]);
-  }
-  return vote;
-}
-
 } // namespace
 
 std::vector<std::pair<Index, Index>>
-swappedExtremities(const LandmarkSurface& landmarks, const SampleMap& map, const OrderedPairs& pairs)
+swappedExtremities(const LandmarkSurface& landmarks, const SampleMap& map, const std::vector<float>& sides)
 {
   std::vector<std::pair<Index, Index>> limbs;
   for (const Index extremity : landmarks.extremities) {
@@ -35,7 +25,7 @@ swappedExtremities(const LandmarkSurface& landmarks, const SampleMap& map, const
     });
     if (!known && landmarks.distances(extremity, partner) >= settings.separation * landmarks.diameter) {
       limbs.emplace_back(extremity, partner);
-      if (sideOfLandmark(landmarks, pairs, extremity) < 0.0F) {
+      if (sides[extremity] < 0.0F) {
         std::swap(limbs.back().first, limbs.back().second);
       }
     }
