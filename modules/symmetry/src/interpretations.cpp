@@ -29,6 +29,10 @@ constexpr float more_samples = 1.33F;
 constexpr float contact_depth = 1.0F;
 constexpr float shallow_contact_depth = 0.7F;
 
+/** Fewer points are as far apart as fingers are thick, and touch all over: what a mesh of so few says of its contacts is
+ * better than what a cloud does, unless there are holes in it. */
+constexpr std::size_t dense_points = 8000;
+
 ContactTest
 atDepth(ContactTest test, float depth)
 {
@@ -42,7 +46,6 @@ atDepth(ContactTest test, float depth)
 std::vector<ContactTest>
 contactTests(const PreparedSurface& surface, const SymmetryParameters& parameters, const std::vector<float>& depths)
 {
-  constexpr std::size_t dense_points = 8000; // fewer are as far apart as fingers are thick, and touch all over
   if (!surface.is_cloud || parameters.method == Method::Staged) {
     return {ContactTest{}};
   }
@@ -129,9 +132,13 @@ InterpretationPlan::furtherStages(const RivalInterpretations& rivals) const
     return {};
   }
   if (surface_.hasFaces()) {
-    return {{NoiseInterpretation::Close, FaceUse::Normals, {}},
-            {NoiseInterpretation::Close, FaceUse::Connection, {}, fewer_samples},
-            {NoiseInterpretation::Close, FaceUse::Connection, {}, more_samples}};
+    std::vector<Stage> stages;
+    if (usable_.surface.size() >= dense_points || weightOfHoles(best.estimate.known_holes) > 0.0F) {
+      stages.push_back({NoiseInterpretation::Close, FaceUse::Normals, {}});
+    }
+    stages.push_back({NoiseInterpretation::Close, FaceUse::Connection, {}, fewer_samples});
+    stages.push_back({NoiseInterpretation::Close, FaceUse::Connection, {}, more_samples});
+    return stages;
   }
   if (usable_.surface.summary.smoothing_radius == 0.0F) {
     const bool is_found = best.estimate.status == SymmetryStatus::Symmetric;
