@@ -55,7 +55,7 @@ struct Surface {
   /** What was subtracted from the positions that the file holds: readSurface() brings map coordinates, which a float
    * cannot tell apart, near the origin, and the writers add it again. Zero otherwise; no algorithm looks at it. */
   std::array<double, 3> offset = {0.0, 0.0, 0.0};
-  std::vector<std::string> notes;                 ///< what the reader passed over or changed, a sentence each
+  std::vector<std::string> notes = {};            ///< what the reader passed over or changed, a sentence each
   std::shared_ptr<const PointFields> fields = {}; ///< for the labelled file; may be empty. Shared: copies cost nothing
 
   /** \brief Number of points. */
