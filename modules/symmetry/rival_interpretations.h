@@ -54,10 +54,10 @@ public:
 
   /** \brief Hands over the best one, with the verdict.
    *
-   * By odds see Pooling; no symmetry was found below leastMapConfidence (). By votes its confidence becomes the geometric mean of its own and the mean of all interpretations, in which those that found
-   * another map or none count 0: out of many tries at a body without symmetry one may look like some. No symmetry was
-   * found if less than 0.25 is left, of a mesh with many holes 0.2, of a cloud with noise or with points at random
-   * places 0.15. */
+   * By odds see Pooling. By votes its confidence becomes the geometric mean of its own and the mean of all
+   * interpretations, in which those that found another map or none count 0: out of many tries at a body without symmetry
+   * one may look like some. No symmetry was found if less than 0.25 is left, of a mesh with many holes 0.2, of a cloud
+   * with noise or with points at random places 0.15. */
   Interpretation
   takeBest();
 

@@ -196,7 +196,7 @@ void
 RivalInterpretations::takeOdds(Interpretation& interpretation, float confidence)
 {
   MapEstimate& estimate = interpretation.estimate;
-  if (confidence >= leastMapConfidence(estimate.known_holes)) {
+  if (confidence >= leastOfSeveralInterpretations(interpretation)) {
     estimate.status = estimate.is_partial ? SymmetryStatus::PartlySymmetric : SymmetryStatus::Symmetric;
     estimate.message = estimate.is_partial ? "a part of the surface has no counterpart" : "";
     scaleConfidences(estimate, estimate.map_confidence > 0.0F ? confidence / estimate.map_confidence : 0.0F);
