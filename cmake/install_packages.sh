@@ -1,8 +1,9 @@
 #!/bin/sh
-# Installs the packages of cmake/packages.txt that are missing; as root, or through sudo. Quiet when all is there.
+# Installs the packages of cmake/packages.txt, or of another list, that are missing; as root, or through sudo. Quiet when
+# all is there.
 set -eu
 
-list=$(dirname "$0")/packages.txt
+list=${1:-$(dirname "$0")/packages.txt}
 missing=
 for package in $(sed 's/#.*//' "$list"); do
   status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null) || status=absent

@@ -40,7 +40,7 @@ struct IntrinsicSymmetryResult : public symmetry::SymmetryResult {
  * estimation.setInputMesh (mesh);            // or setInputCloud (cloud)
  * pcl::IntrinsicSymmetryResult result;
  * estimation.compute (result);
- * if (result.status == pcl::symmetry::SymmetryStatus::Symmetric)
+ * if (pcl::symmetry::hasMap (result.status))
  *   std::cout << "the partner of point 0 is " << result.partners[0] << '\n';
  * \endcode
  *

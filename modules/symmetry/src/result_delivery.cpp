@@ -1,0 +1,210 @@
+#include "symmetry/result_delivery.h"
+
+#include "symmetry/confidence/unsupported_parts.h"
+#include "symmetry/sides/axis_curve.h"
+#include "symmetry/sides/sides.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Numbers of points of the input in place of those of the prepared surface. */
+class ToInput {
+public:
+  explicit ToInput(const PreparedSurface& prepared)
+      : original_(prepared.original), representatives_(prepared.representatives)
+  {
+  }
+
+  Index
+  operator()(Index v) const
+  {
+    return v == no_index ? no_index : original_[v];
+  }
+
+  /** Every point of the input gets the value of the point that stands for it. */
+  template <typename Value>
+  void
+  scatter(const std::vector<Value>& from, std::vector<Value>& to) const
+  {
+    if (from.empty()) {
+      return;
+    }
+    for (std::size_t v = 0; v < to.size(); ++v) {
+      if (representatives_[v] != no_index) {
+        to[v] = from[representatives_[v]];
+      }
+    }
+  }
+
+  /** No partner for any point of the input. */
+  std::vector<Index>
+  unassigned() const
+  {
+    std::vector<Index> none(representatives_.size(), no_index);
+    return none;
+  }
+
+  std::vector<Index>
+  renumbered(std::vector<Index> points) const
+  {
+    std::transform(points.begin(), points.end(), points.begin(), *this);
+    return points;
+  }
+
+private:
+  const std::vector<Index>& original_;
+  const std::vector<Index>& representatives_;
+};
+
+/** Appends the stretches of a line that are not left out. */
+void
+appendSupported(const Polyline& line, const std::vector<char>& is_out, std::vector<Polyline>& to)
+{
+  if (std::none_of(line.points.begin(), line.points.end(), [&](Index v) { return is_out[v] != 0; })) {
+    to.push_back(line);
+    return;
+  }
+  Polyline stretch;
+  const auto finish = [&] {
+    if (stretch.points.size() > 1) {
+      to.push_back(stretch);
+    }
+    stretch.points.clear();
+  };
+  for (const Index v : line.points) {
+    if (is_out[v] != 0) {
+      finish();
+    }
+    else {
+      stretch.points.push_back(v);
+    }
+  }
+  finish();
+}
+
+/** Names the parts without a counterpart in numbers and units of the input; they are on no side, and no curve runs
+ * through them. */
+void
+deliverUnsupported(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
+{
+  const ToInput to_input(prepared);
+  result.unsupported = unsupportedParts(prepared, estimate.is_unsupported);
+  for (UnsupportedPart& part : result.unsupported) {
+    part.extent /= prepared.scale;
+    part.extreme = to_input(part.extreme);
+  }
+  std::vector<char> is_out(result.sides.size(), 0);
+  to_input.scatter(estimate.is_unsupported, is_out);
+  for (std::size_t v = 0; v < is_out.size(); ++v) {
+    result.sides[v] = is_out[v] != 0 ? Side::None : result.sides[v];
+  }
+  std::vector<Polyline> kept;
+  for (const Polyline& line : result.axis) {
+    appendSupported(line, is_out, kept);
+  }
+  result.axis = std::move(kept);
+  result.map.axis = static_cast<std::size_t>(std::count(result.sides.begin(), result.sides.end(), Side::Axis));
+}
+
+void
+deliverAlternatives(const std::vector<AlternativeMap>& from, const ToInput& to_input, std::vector<AlternativeMap>& to)
+{
+  to = from;
+  for (AlternativeMap& alternative : to) {
+    const std::vector<Index> partners = to_input.renumbered(std::move(alternative.partners));
+    alternative.partners = to_input.unassigned();
+    to_input.scatter(partners, alternative.partners);
+  }
+}
+
+void
+deliverMap(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
+{
+  const ToInput to_input(prepared);
+  to_input.scatter(to_input.renumbered(estimate.partners), result.partners);
+  to_input.scatter(estimate.confidences, result.confidences);
+  to_input.scatter(estimate.regions, result.regions);
+  to_input.scatter(estimate.support, result.support);
+  result.extremities = to_input.renumbered(estimate.extremities);
+  for (const SymmetricMatch& match : estimate.matches) {
+    result.matches.push_back({to_input(match.source), to_input(match.target), to_input(match.midpoint), match.cost});
+  }
+  deliverAlternatives(estimate.alternatives, to_input, result.alternatives);
+  deliverAlternatives(estimate.rotations, to_input, result.rotations);
+}
+
+void
+deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
+{
+  const ToInput to_input(prepared);
+  const std::vector<float> side_function = absorbSpecks(prepared.graph, estimate.side_function);
+  const std::vector<Side> sides = labelSides(prepared.graph, side_function);
+  to_input.scatter(sides, result.sides);
+  // The triangles of a cloud are no manifold to trace a line through; its graph will do.
+  const std::vector<Triangle> faces = prepared.is_cloud ? std::vector<Triangle>{} : prepared.triangles;
+  for (Polyline& line : traceAxis(prepared.graph, faces, side_function, sides)) {
+    line.points = to_input.renumbered(std::move(line.points));
+    result.axis.push_back(std::move(line));
+  }
+  result.map.axis = static_cast<std::size_t>(std::count(result.sides.begin(), result.sides.end(), Side::Axis));
+}
+
+} // namespace
+
+SymmetryResult
+emptyResult(const Surface& surface)
+{
+  SymmetryResult result;
+  result.partners.assign(surface.size(), no_index);
+  result.confidences.assign(surface.size(), 0.0F);
+  result.support.assign(surface.size(), 0.0F);
+  result.sides.assign(surface.size(), Side::None);
+  result.regions.assign(surface.size(), Region::None);
+  result.input.points = surface.size();
+  result.input.faces = surface.triangles.size();
+  return result;
+}
+
+void
+leaveOutUnsupported(MapEstimate& estimate)
+{
+  std::vector<char>& is_out = estimate.is_unsupported;
+  for (std::size_t v = 0; v < estimate.partners.size(); ++v) {
+    const Index partner = estimate.partners[v];
+    if (is_out[v] != 0 || partner == no_index || estimate.is_unsupported[partner] != 0) {
+      estimate.partners[v] = no_index;
+      estimate.confidences[v] = 0.0F;
+      estimate.regions[v] = Region::None;
+      estimate.support[v] = is_out[v] != 0 ? 0.0F : estimate.support[v];
+    }
+  }
+  const auto is_left_out = [&](Index v) {
+    return is_out[v] != 0;
+  };
+  estimate.matches.erase(std::remove_if(estimate.matches.begin(), estimate.matches.end(),
+                                        [&](const SymmetricMatch& match) {
+                                          return is_left_out(match.source) || is_left_out(match.target);
+                                        }),
+                         estimate.matches.end());
+  estimate.extremities.erase(std::remove_if(estimate.extremities.begin(), estimate.extremities.end(), is_left_out),
+                             estimate.extremities.end());
+}
+
+void
+deliverResult(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
+{
+  deliverMap(estimate, prepared, result);
+  result.map.matched = static_cast<std::size_t>(
+      std::count_if(result.partners.begin(), result.partners.end(), [](Index partner) { return partner != no_index; }));
+  deliverSides(estimate, prepared, result);
+  if (estimate.status == SymmetryStatus::PartlySymmetric) {
+    deliverUnsupported(estimate, prepared, result);
+  }
+}
+
+} // namespace symmetry
+} // namespace pcl
