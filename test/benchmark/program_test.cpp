@@ -6,6 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <sstream>
+
 namespace pcl {
 namespace symmetry {
 namespace test {
@@ -125,16 +128,33 @@ TEST_F(BenchmarkProgramTest, ComparesGraphs)
   EXPECT_NE(failed.output.find("MADE/broken  failed: "), std::string::npos) << failed.output;
 }
 
-TEST_F(BenchmarkProgramTest, CountsTheBodiesThatAreRefusedWithoutALimb)
+TEST_F(BenchmarkProgramTest, CountsTheBodiesThatArePartlySymmetricOrRefusedWithoutALimb)
 {
   const ProgramRun run = runBenchmark({writeHuman(), "--cut-limb", "farthest"});
   EXPECT_EQ(run.exit_status, 0) << run.errors;
-  EXPECT_NE(run.output.find("no_symmetry"), std::string::npos) << run.output;
-  EXPECT_NE(run.output.find("refused  conf. < 0.5"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("partly_symmetric"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("refused  partial  conf. < 0.5"), std::string::npos) << run.output;
   EXPECT_NE(run.output.find("\nMADE "), std::string::npos) << run.output;
   EXPECT_EQ(run.output.find("mean of classes"), std::string::npos) << "there is nothing to score";
   EXPECT_EQ(runBenchmark({writeHuman(), "--cut-limb", "third"}).exit_status, 2);
   EXPECT_EQ(runBenchmark({writeHuman(), "--cut-limb", "other", "--graph"}).exit_status, 2);
+}
+
+TEST_F(BenchmarkProgramTest, WritesTheEvidenceOfEveryMap)
+{
+  const ProgramRun run = runBenchmark({writeHuman(), "--evidence", path("evidence.csv")});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  std::istringstream table(read(path("evidence.csv")));
+  std::string header;
+  std::string row;
+  ASSERT_TRUE(std::getline(table, header));
+  ASSERT_TRUE(std::getline(table, row));
+  EXPECT_EQ(header.rfind("set,class,model,input,number,cut,rate,confidence,score,", 0), 0U) << header;
+  EXPECT_NE(header.find(",worst_local_change,"), std::string::npos);
+  EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(row.begin(), row.end(), ','));
+  EXPECT_EQ(row.rfind("MADE,", 0), 0U) << row;
+  EXPECT_NE(row.find(",mesh,0,0,1,"), std::string::npos) << "the first interpretation, whole, all right: " << row;
+  EXPECT_EQ(runBenchmark({writeHuman(), "--evidence", path("e.csv"), "--csv", path("c.csv")}).exit_status, 2);
 }
 
 TEST_F(BenchmarkProgramTest, AModelThatFailsIsReportedAndEndsWithOne)

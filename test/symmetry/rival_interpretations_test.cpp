@@ -254,8 +254,8 @@ TEST(RivalsByOdds, MapsExcludeEachOther)
 TEST(RivalsByOdds, WhatIsDoubtfulThroughoutIsNoSymmetry)
 {
   RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(mapOf(0, 0.15F));
   rivals.add(mapOf(0, 0.2F));
-  rivals.add(mapOf(0, 0.25F));
   const Interpretation best = rivals.takeBest();
   EXPECT_EQ(best.estimate.status, SymmetryStatus::NoSymmetry);
   EXPECT_LT(best.estimate.confidence, 0.1F);
