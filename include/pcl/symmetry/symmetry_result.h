@@ -73,9 +73,9 @@ struct InputSummary {
 struct MapSummary {
   std::size_t matched = 0;     ///< points with a partner
   std::size_t axis = 0;        ///< points labelled Side::Axis
-  float involution = 0.0F;     ///< share of matched points v with d (m (m (v)), v) below 2 % of the diameter
+  float involution = 0.0F;     ///< share of matched points v with m (m (v)) within 2 % of the diameter or next to v
   float inverted_faces = 0.0F; ///< share of faces that the map does not turn over as a reflection does
-  float torn_faces = 0.0F;     ///< share of faces one of whose edges becomes longer than 5 % of the diameter
+  float torn_faces = 0.0F;     ///< share of faces with an edge whose length changes by 5 % of the diameter
   float isometry_error = 0.0F; ///< mean |d (p, q) - d (m (p), m (q))| over pairs of landmarks, share of the diameter
 };
 

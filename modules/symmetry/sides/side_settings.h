@@ -57,8 +57,11 @@ struct LimbSettings {
 /** \brief Measures of a finished map, see map_quality.h; lengths are shares of the diameter. */
 struct QualitySettings {
   float involution_tolerance = 0.02F; ///< within which a point counts as come back
-  float torn_side = 0.05F;            ///< length of a side of a face's image above which the face is torn
-  std::size_t landmarks = 16;         ///< that distances are compared between
+  /** Change of the length of a side of a face above which the face is torn, share of the diameter, and of the length
+   * itself: more than the images of its ends can be off by, which are vertices. Chosen by hand. */
+  float torn_side = 0.05F;
+  float torn_share = 0.33F;
+  std::size_t landmarks = 16; ///< that distances are compared between
 };
 
 } // namespace symmetry

@@ -14,7 +14,31 @@ namespace {
 
 constexpr QualitySettings settings{};
 
-/** Share of the matched points v with |v - m (m (v))| below 2 % of the diameter. */
+bool
+isNextTo(const SurfaceGraph& graph, Index v, Index other)
+{
+  const auto around = graph.neighboursOf(v);
+  return std::find(around.begin(), around.end(), other) != around.end();
+}
+
+/** Whether a side of a face has another length in the image; sides of a coarse mesh are long, and their ends have images
+ * at vertices only. */
+bool
+isTorn(const PreparedSurface& surface, const Triangle& face, const Triangle& image, float diameter)
+{
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    const float length = distance(surface.points[face[k]], surface.points[face[next]]);
+    const float of_image = distance(surface.points[image[k]], surface.points[image[next]]);
+    if (std::abs(of_image - length) > std::max(settings.torn_side * diameter, settings.torn_share * length)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Share of the matched points v with |v - m (m (v))| below 2 % of the diameter, or next to v: points of a coarse mesh are
+ * farther apart. */
 float
 involutionShare(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter, std::size_t matched)
 {
@@ -22,7 +46,8 @@ involutionShare(const PreparedSurface& surface, const std::vector<Index>& partne
   for (std::size_t v = 0; v < partners.size(); ++v) {
     const Index back = partners[v] == no_index ? no_index : partners[partners[v]];
     if (back != no_index &&
-        distance(surface.points[v], surface.points[back]) < settings.involution_tolerance * diameter) {
+        (distance(surface.points[v], surface.points[back]) < settings.involution_tolerance * diameter ||
+         isNextTo(surface.graph, static_cast<Index>(v), back))) {
       ++close;
     }
   }
@@ -46,8 +71,7 @@ measureFaces(const PreparedSurface& surface, const std::vector<Index>& partners,
     const Vector3& a = surface.points[image[0]];
     const Vector3& b = surface.points[image[1]];
     const Vector3& c = surface.points[image[2]];
-    const float longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    if (longest > settings.torn_side * diameter) {
+    if (isTorn(surface, t, image, diameter)) {
       ++torn;
     }
     else if (dot(cross(b - a, c - a), surface.normals[image[0]]) > 0.0F) {
