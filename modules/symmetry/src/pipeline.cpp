@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace pcl {
@@ -27,6 +28,25 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
       parameters.samples > 0 ? static_cast<float>(parameters.samples) : static_cast<float>(settings.sampling.samples);
   settings.sampling.samples = std::max(minimum_samples, static_cast<std::size_t>(std::lround(samples * usual)));
   return estimateRobust(prepared, parameters, settings, timer);
+}
+
+/** A map of a small part of the input is at most that part right; says so where much was left out. */
+void
+boundByShareUsed(SymmetryResult& result)
+{
+  constexpr float nearly_all = 0.9F;
+  const InputSummary& input = result.input;
+  const std::size_t left_out = input.non_finite + input.outside_indices + input.outliers;
+  if (input.points <= left_out) {
+    return;
+  }
+  const float share = static_cast<float>(input.used) / static_cast<float>(input.points - left_out);
+  if (share < nearly_all) {
+    result.confidence = std::min(result.confidence, share);
+    result.message += std::string(result.message.empty() ? "" : "; ") +
+                      std::to_string(std::lround(100.0F * (1.0F - share))) +
+                      " % of the points lie apart from the part that was mapped";
+  }
 }
 
 /** The whole method. */
@@ -68,6 +88,7 @@ estimateInto(SymmetryResult& result,
     result.confidence *= confidence_of_refused;
     return;
   }
+  boundByShareUsed(result);
   // Deliver: in numbers of the input's points; sides and the curve between them.
   result.map = measured;
   timer.start("axis", 0.9);
