@@ -101,6 +101,11 @@ deliverUnsupported(const MapEstimate& estimate, const PreparedSurface& prepared,
   to_input.scatter(estimate.is_unsupported, is_out);
   for (std::size_t v = 0; v < is_out.size(); ++v) {
     result.sides[v] = is_out[v] != 0 ? Side::None : result.sides[v];
+    // A place between points is told of the nearest of them, which may be left out.
+    if (result.partners[v] != no_index && is_out[result.partners[v]] != 0) {
+      result.partners[v] = no_index;
+      result.confidences[v] = 0.0F;
+    }
   }
   std::vector<Polyline> kept;
   for (const Polyline& line : result.axis) {
@@ -148,6 +153,7 @@ deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, Symme
   const std::vector<Triangle> faces = prepared.is_cloud ? std::vector<Triangle>{} : prepared.triangles;
   for (Polyline& line : traceAxis(prepared.graph, faces, side_function, sides)) {
     line.points = to_input.renumbered(std::move(line.points));
+    line.points.erase(std::unique(line.points.begin(), line.points.end()), line.points.end());
     result.axis.push_back(std::move(line));
   }
   result.map.axis = static_cast<std::size_t>(std::count(result.sides.begin(), result.sides.end(), Side::Axis));
