@@ -77,10 +77,16 @@ struct SheetSettings {
 
 /** \brief Edges of a cloud that are shortcuts, and links across its gaps, see cloud_surface.h. */
 struct ContactSettings {
-  float steep = 0.7F;        ///< sine of the angle between an edge and the surface: geometric, half a right angle
-  float short_edge = 0.5F;   ///< spacings up to which noise may well point along the normal
-  float step_excess = 5.0F;  ///< medians of all steps; see ContactTest::step
-  float clearance = 0.6F;    ///< depths: where the surface bends inwards it comes nearer than the depth
+  float steep = 0.7F;         ///< sine of the angle between an edge and the surface: geometric, half a right angle
+  float short_edge = 0.5F;    ///< spacings up to which noise may well point along the normal
+  float step_excess = 5.0F;   ///< medians of all steps; see ContactTest::step
+  float clearance = 0.6F;     ///< depths: where the surface bends inwards it comes nearer than the depth
+  float barrier_piece = 8.0F; ///< depths that are searched at a time: four cubes of the grid
+  /** Depths: no contact has longer edges, bodies ten times sparser at one end have them up to 13; bounds the time. */
+  float longest_barred = 64.0F;
+  /** Nearest neighbours to which edges are put back, and along which ways round them are looked for: those to more are
+   * long, and keep nothing together. The usual number is 10; of 256 each search would take a thousand times as long. */
+  std::size_t restored_neighbours = 32;
   float maximum_gap = 0.05F; ///< share of the longest side that a link may bridge
   int minimum_part = 20;     ///< points; less is a speck and stays apart
   float way_ratio = 2.0F;    ///< length of a link over that of the shortest between the same parts

@@ -57,9 +57,14 @@ lookToBothSides(const std::vector<Surfel>& surface,
   if (!(spacing > 0.0F)) { // nothing but points at the same place as their neighbours
     return layers;
   }
+  float last = 0.0F; // where the space is too large for cubes of a size, several sizes come out as one
   for (int view = 0; view < settings.views; ++view) {
-    const OutsideSpace outside(surface,
-                               (settings.finest_cube + static_cast<float>(view) * settings.cube_step) * spacing);
+    const float cube = (settings.finest_cube + static_cast<float>(view) * settings.cube_step) * spacing;
+    if (cube <= last) {
+      continue;
+    }
+    const OutsideSpace outside(surface, cube);
+    last = outside.cube();
     std::vector<Sides> sides;
     for (std::size_t i = 0; i < places.size(); ++i) {
       sides.push_back(lookAround(outside, places[i], layers.normals[i]));
