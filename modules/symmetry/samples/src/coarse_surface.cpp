@@ -2,6 +2,7 @@
 
 #include "base/centroid.h"
 #include "base/renumbering.h"
+#include "base/sort_unique.h"
 #include "base/vector_math.h"
 #include "cloud/local_delaunay.h"
 #include "symmetry/samples/hole_cells.h"
@@ -148,8 +149,19 @@ dualTriangles(const std::vector<Triangle>& triangles, const std::vector<Index>& 
       dual.push_back(lowestFirst(owners));
     }
   }
-  std::sort(dual.begin(), dual.end());
-  dual.erase(std::unique(dual.begin(), dual.end()), dual.end());
+  sortUnique(dual);
+  // A surface has two per cell. Faces that join anything with anything have thousands, and no sense of orientation that
+  // every other one of them would not have as well.
+  constexpr std::size_t most_per_cell = 8;
+  const std::size_t most =
+      most_per_cell * static_cast<std::size_t>(owner.empty() ? 0 : *std::max_element(owner.begin(), owner.end()) + 1);
+  if (dual.size() > most) {
+    const std::size_t step = (dual.size() + most - 1) / most;
+    for (std::size_t i = 0; i * step < dual.size(); ++i) {
+      dual[i] = dual[i * step];
+    }
+    dual.resize((dual.size() + step - 1) / step);
+  }
   return dual;
 }
 
