@@ -30,6 +30,7 @@ struct ResamplingSettings {
   float smoothed_spacing = 0.5F;    ///< of the points that are moved onto sheets, over the spacing that is left
   float maximum_gap = 3.0F;         ///< medians of the gaps: how large an area one point may stand for
   float minimum_support = 0.05F;    ///< share of the typical support: the density may well vary by ten
+  float least_spacing = 1e-6F;      ///< of a cloud of unit size; distances of points may be 0 to all digits
   float spacing_step = 1.1F;        ///< factor from try to try; above 1, so that the search ends
   float gaps_per_radius = 1.0F;     ///< of the discs that stand for the surface
   float spacings_per_radius = 0.7F; ///< geometric: half the diagonal of a square, so that discs on a grid leave no gap

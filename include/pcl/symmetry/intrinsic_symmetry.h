@@ -142,7 +142,8 @@ public:
     return parameters_;
   }
 
-  /** \brief Called as each step starts; returning false cancels. */
+  /** \brief Called as each step starts and several times a second; returning false cancels, an exception of it leaves
+   * compute () with the result as it was. */
   void
   setProgressCallback(const symmetry::ProgressCallback& callback)
   {

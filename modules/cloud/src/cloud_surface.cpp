@@ -1,5 +1,6 @@
 #include "cloud/cloud_surface.h"
 
+#include "base/heartbeat.h"
 #include "base/parallel.h"
 #include "base/statistics.h"
 #include "base/union_find.h"
@@ -302,6 +303,7 @@ buildCloudSurface(const std::vector<Vector3>& points,
                   const std::vector<char>& is_oriented)
 {
   const SurfaceGraph plain = buildNeighbourGraph(points, lists, radius);
+  heartbeat();
   const std::vector<GraphEdge> gaps = radius > 0.0F ? std::vector<GraphEdge>{} : linksAcrossGaps(points, plain);
   const std::vector<float> spacing = localSpacing(plain);
   CloudSurface cloud;

@@ -1,5 +1,6 @@
 #include "cloud/merged_sheets.h"
 
+#include "base/heartbeat.h"
 #include "base/vector_math.h"
 #include "cloud/cloud_settings.h"
 
@@ -67,6 +68,7 @@ lookToBothSides(const std::vector<Surfel>& surface,
     last = outside.cube();
     std::vector<Sides> sides;
     for (std::size_t i = 0; i < places.size(); ++i) {
+      heartbeat();
       sides.push_back(lookAround(outside, places[i], layers.normals[i]));
     }
     const auto open = static_cast<float>(std::count(sides.begin(), sides.end(), Sides::Alike));

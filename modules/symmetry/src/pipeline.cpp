@@ -1,5 +1,6 @@
 #include "symmetry/pipeline.h"
 
+#include "base/heartbeat.h"
 #include "symmetry/confidence/map_confidence.h"
 #include "symmetry/interpretations.h"
 #include "symmetry/result_delivery.h"
@@ -131,6 +132,7 @@ runPipeline(const Surface& surface,
             StepTimer& timer)
 {
   SymmetryResult result = emptyResult(surface);
+  const HeartbeatScope alive([&timer] { timer.beat(); });
   try {
     estimateInto(result, surface, parameters, search, timer);
   }

@@ -1,6 +1,7 @@
 #include "symmetry/samples/coarse_surface.h"
 
 #include "base/centroid.h"
+#include "base/heartbeat.h"
 #include "base/renumbering.h"
 #include "base/sort_unique.h"
 #include "base/vector_math.h"
@@ -173,6 +174,7 @@ coarsenSurface(const PreparedSurface& surface, std::size_t samples)
   for (const Index v : coarse.cells.vertices) {
     coarse.points.push_back(surface.points[v]);
   }
+  heartbeat();
   coarse.normals = cellNormals(surface, coarse.cells);
   coarse.graph = joinCells(surface.graph, coarse.cells);
   if (surface.is_cloud) {
@@ -180,9 +182,11 @@ coarsenSurface(const PreparedSurface& surface, std::size_t samples)
   }
   else {
     coarse.triangles = dualTriangles(surface.triangles, coarse.cells.owner);
+    heartbeat();
     coarse.areas = cellAreas(surface, coarse.cells);
     coarse.conductances = cellConductances(surface, coarse);
   }
+  heartbeat();
   coarse.at_hole = cellsAtHoles(surface, coarse.cells, sampleSpacing(coarse));
   return coarse;
 }

@@ -1,5 +1,6 @@
 #include "symmetry/surface/input_cleaning.h"
 
+#include "base/heartbeat.h"
 #include "base/vector_math.h"
 #include "symmetry/surface/cloud_cleaning.h"
 #include "symmetry/surface/mesh_cleaning.h"
@@ -77,9 +78,11 @@ usablePoints(const Surface& surface,
   }
   else {
     mergeRepeatedPoints(prepared);
+    heartbeat();
     dropDegenerateTriangles(prepared.triangles);
     dropRepeatedTriangles(prepared.size(), prepared.triangles);
   }
+  heartbeat();
   normalizeScale(prepared);
   if (!prepared.is_cloud) {
     prepared.normals = vertexNormals(prepared.points, prepared.triangles);
@@ -89,6 +92,7 @@ usablePoints(const Surface& surface,
     dropFaces(prepared);
   }
   mergeRepeatedPoints(prepared);
+  heartbeat();
   dropFarParts(surface.points, parameters, search, prepared);
   if (parameters.outlier_deviations > 0.0F) {
     dropStatisticalOutliers(prepared, parameters, search);

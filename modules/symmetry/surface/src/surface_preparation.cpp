@@ -1,5 +1,6 @@
 #include "symmetry/surface/surface_preparation.h"
 
+#include "base/heartbeat.h"
 #include "base/renumbering.h"
 
 #include <algorithm>
@@ -68,6 +69,7 @@ prepareSurface(UsablePoints usable, const SymmetryParameters& parameters, const 
   else {
     prepared.graph = buildMeshGraph(prepared.points, prepared.triangles);
   }
+  heartbeat();
   keepLargestComponent(prepared);
   prepared.summary.used = prepared.representatives.size() - countLeftOut(prepared);
   prepared.summary.working_points = prepared.size();
