@@ -5,6 +5,9 @@
 
 #include <pcl/exceptions.h>
 
+#include <cmath>
+#include <limits>
+
 namespace pcl {
 namespace symmetry {
 namespace test {
@@ -34,6 +37,18 @@ TEST(ResultCheck, ArraysHaveAnEntryForEachPoint)
             ": the result has 7 confidences for 6 points");
   EXPECT_EQ(complaint([](SymmetryResult& r) { r.sides.clear(); }), ": the result has 0 sides for 6 points");
   EXPECT_EQ(complaint([](SymmetryResult& r) { r.regions.clear(); }), ": the result has 0 regions for 6 points");
+}
+
+TEST(ResultCheck, ConfidencesAreNumbersAndLabelsAmongThoseThatThereAre)
+{
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(complaint([=](SymmetryResult& r) { r.confidences[3] = nan; }),
+            ": the result has confidence nan for point 3");
+  EXPECT_EQ(complaint([](SymmetryResult& r) { r.support[0] = HUGE_VALF; }), ": the result has support inf for point 0");
+  EXPECT_EQ(complaint([](SymmetryResult& r) { r.sides[1] = static_cast<Side>(4); }),
+            ": the result has side 4 for point 1, allowed are 0 to 3");
+  EXPECT_EQ(complaint([](SymmetryResult& r) { r.regions[5] = static_cast<Region>(255); }),
+            ": the result has region 255 for point 5, allowed are 0 to 5");
 }
 
 TEST(ResultCheck, IndicesAreThoseOfPoints)

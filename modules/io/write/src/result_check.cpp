@@ -2,6 +2,7 @@
 
 #include <pcl/exceptions.h>
 
+#include <cmath>
 #include <string>
 
 namespace pcl {
@@ -24,6 +25,26 @@ checkIndex(const char* name, Index index, Index least, std::size_t points)
                                std::to_string(points) + " points");
 }
 
+void
+checkNumbers(const char* name, const std::vector<float>& values)
+{
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!std::isfinite(values[i]))
+      throw BadArgumentException(std::string("the result has ") + name + " " + std::to_string(values[i]) +
+                                 " for point " + std::to_string(i));
+}
+
+template <typename Enum>
+void
+checkLabels(const char* name, const std::vector<Enum>& labels, Enum last)
+{
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] > last)
+      throw BadArgumentException(std::string("the result has ") + name + " " +
+                                 std::to_string(static_cast<int>(labels[i])) + " for point " + std::to_string(i) +
+                                 ", allowed are 0 to " + std::to_string(static_cast<int>(last)));
+}
+
 } // namespace
 
 void
@@ -34,6 +55,10 @@ checkResult(const SymmetryResult& result, std::size_t points)
   checkSize("support values", result.support.size(), points);
   checkSize("sides", result.sides.size(), points);
   checkSize("regions", result.regions.size(), points);
+  checkNumbers("confidence", result.confidences);
+  checkNumbers("support", result.support);
+  checkLabels("side", result.sides, Side::Axis);
+  checkLabels("region", result.regions, Region::Centre);
   for (const Index partner : result.partners)
     checkIndex("partner", partner, no_index, points);
   for (const SymmetricMatch& match : result.matches) {
