@@ -119,6 +119,18 @@ TEST_F(FilesAndSignals, TooFewPointsReplaceNothingButTheReport)
   EXPECT_EQ(nlohmann::json::parse(read(path("report.json"))).at("status"), "too_few_points");
 }
 
+TEST_F(FilesAndSignals, TooFewPointsAreExplained)
+{
+  const auto complaint = [this](const std::string& points) {
+    return runProgram(program, {write("few.off", points)}).errors;
+  };
+  EXPECT_NE(complaint("OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n").find("of 4 points 4 at distinct"), std::string::npos);
+  const std::string same = complaint("OFF\n4 0 0\n1 0 0\n1 0 0\n1 0 0\n1 0 0\n");
+  EXPECT_NE(same.find("of 4 points 1 at distinct"), std::string::npos) << same;
+  const std::string none = complaint("OFF\n3 0 0\nnan 0 0\n1 nan 0\n1 0 0\n");
+  EXPECT_NE(none.find("of 3 points 2 are no finite places, 1 at distinct"), std::string::npos) << none;
+}
+
 TEST_F(FilesAndSignals, AnUnreadableInputLeavesAReport)
 {
   const std::string broken = write("broken.off", "OFF\n3 0 0\n0 0\n");

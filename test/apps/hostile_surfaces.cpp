@@ -286,14 +286,14 @@ hostileSurfaces()
       {"Sphere", "03", [] { return sphere(10000); }, {}},
       {"SphereAndABallOfAsManyPoints", "03", [] { return joined(sphere(15000), clusters(1, 14000, 1e-4)); }, {}},
       // Clouds that are no surface.
-      {"PointsInACube", "03", [] { return clusters(15000, 1, 0.0); }, {}},
-      {"PointsAroundACentre", "03", [] { return clusters(1, 12000, 1.0); }, {}},
+      {"PointsInACube", "03", [] { return clusters(6000, 1, 0.0); }, {}},
+      {"PointsAroundACentre", "03", [] { return clusters(1, 6000, 1.0); }, {}},
       {"Lattice",
        "03",
        [] {
-         return curve(13824, [](double i) {
+         return curve(8000, [](double i) {
            const auto n = static_cast<int>(i);
-           return at(n % 24, n / 24 % 24, n / 576);
+           return at(n % 20, n / 20 % 20, n / 400);
          });
        },
        {}},

@@ -50,6 +50,21 @@ boundByShareUsed(SymmetryResult& result)
   }
 }
 
+/** What became of the points of the input, for those who are told that there are too few. */
+std::string
+describePoints(const InputSummary& input)
+{
+  std::string text = "of " + std::to_string(input.points) + " points ";
+  for (const auto& [count, reason] : {std::pair(input.non_finite, " are no finite places, "),
+                                      {input.outliers, " are outliers, "},
+                                      {input.other_components, " are in other parts, "}}) {
+    if (count > 0) {
+      text += std::to_string(count) + reason;
+    }
+  }
+  return text + std::to_string(input.working_points) + " at distinct places are left";
+}
+
 /** The whole method. */
 void
 estimateInto(SymmetryResult& result,
@@ -72,6 +87,9 @@ estimateInto(SymmetryResult& result,
   result.message = estimate.message;
   result.confidence = estimate.confidence;
   result.diameter = estimate.diameter / prepared.scale;
+  if (estimate.status == SymmetryStatus::TooFewPoints) {
+    result.message += "; " + describePoints(result.input);
+  }
   if (!hasMap(estimate.status)) {
     return;
   }

@@ -58,9 +58,9 @@ TEST_F(OutputFileTest, KeepsTheRightsOfTheFileItReplaces)
 TEST_F(OutputFileTest, RefusesPlacesThatCannotBeWritten)
 {
   EXPECT_EQ(messageOf<IOException>([this] { writeWholeFile(path("no/a"), "x"); }),
-            ": " + path("no/a") + ": cannot be written: No such file or directory");
+            path("no/a") + ": cannot be written: No such file or directory");
   EXPECT_EQ(messageOf<IOException>([this] { writeWholeFile(path(""), "x"); }),
-            ": " + path("") + ": cannot be written: Is a directory");
+            path("") + ": cannot be written: Is a directory");
   EXPECT_THROW(checkOutputFile(path("no/a")), IOException);
   EXPECT_NO_THROW(checkOutputFile(path("a")));
   EXPECT_EQ(countFiles(), 0U);

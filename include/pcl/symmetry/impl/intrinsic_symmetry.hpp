@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/symmetry/impl/plain_exception.h>
 #include <pcl/symmetry/impl/surface_estimation.h>
 #include <pcl/symmetry/intrinsic_symmetry.h>
 
@@ -68,7 +69,7 @@ void
 IntrinsicSymmetryEstimation<PointT>::setInputMesh(const PolygonMesh::ConstPtr& mesh)
 {
   if (!mesh) {
-    throw BadArgumentException("setInputMesh: no mesh");
+    throw symmetry::detail::PlainException<BadArgumentException>("setInputMesh: no mesh");
   }
   symmetry::detail::checkLayout(mesh->cloud);
   auto triangles = symmetry::detail::triangulatePolygons(*mesh);
@@ -85,7 +86,8 @@ void
 IntrinsicSymmetryEstimation<PointT>::setSearchMethod(const SearchPtr& search)
 {
   if (search && search->getName() == "OrganizedNeighbor") {
-    throw BadArgumentException("setSearchMethod: OrganizedNeighbor searches rasters only");
+    throw symmetry::detail::PlainException<BadArgumentException>(
+        "setSearchMethod: OrganizedNeighbor searches rasters only");
   }
   search_ = search;
 }
@@ -135,7 +137,8 @@ void
 IntrinsicSymmetryEstimation<PointT>::compute(IntrinsicSymmetryResult& result)
 {
   if (!input_) {
-    throw InitFailedException("compute: neither setInputCloud nor setInputMesh was called");
+    throw symmetry::detail::PlainException<InitFailedException>(
+        "compute: neither setInputCloud nor setInputMesh was called");
   }
   symmetry::detail::NeighbourSearchFunction search;
   if (search_) {

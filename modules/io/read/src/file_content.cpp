@@ -2,6 +2,8 @@
 
 #include "io/read/surface_builder.h"
 
+#include <pcl/symmetry/impl/plain_exception.h>
+
 #include <boost/iostreams/device/array.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_streambuf.hpp>
@@ -161,7 +163,7 @@ FileContent::unpackGzip()
 void
 FileContent::fail(const std::string& reason) const
 {
-  throw IOException(path_ + ": " + reason);
+  throw detail::PlainException<IOException>(path_ + ": " + reason);
 }
 
 void

@@ -1,5 +1,7 @@
 #include "io/write/output_file.h"
 
+#include <pcl/symmetry/impl/plain_exception.h>
+
 #include <pcl/exceptions.h>
 
 #include <algorithm>
@@ -243,8 +245,8 @@ OutputFile::commit()
 void
 OutputFile::failWithSystemError() const
 {
-  throw IOException((path_ == standard_stream ? "standard output" : path_) +
-                    ": cannot be written: " + std::strerror(errno));
+  throw detail::PlainException<IOException>((path_ == standard_stream ? "standard output" : path_) +
+                                            ": cannot be written: " + std::strerror(errno));
 }
 
 void
@@ -252,7 +254,7 @@ checkOutputFile(const std::string& path)
 {
   const Place place = followLinks(path);
   const auto fail = [&path] {
-    throw IOException(path + ": cannot be written: " + std::strerror(errno));
+    throw detail::PlainException<IOException>(path + ": cannot be written: " + std::strerror(errno));
   };
   if (place.descriptor != no_descriptor) {
     const int flags = ::fcntl(place.descriptor, F_GETFL);

@@ -1,5 +1,7 @@
 #include "io/write/result_check.h"
 
+#include <pcl/symmetry/impl/plain_exception.h>
+
 #include <pcl/exceptions.h>
 
 #include <cmath>
@@ -13,16 +15,17 @@ void
 checkSize(const char* name, std::size_t size, std::size_t points)
 {
   if (size != points)
-    throw BadArgumentException(std::string("the result has ") + std::to_string(size) + " " + name + " for " +
-                               std::to_string(points) + " points");
+    throw detail::PlainException<BadArgumentException>(std::string("the result has ") + std::to_string(size) + " " +
+                                                       name + " for " + std::to_string(points) + " points");
 }
 
 void
 checkIndex(const char* name, Index index, Index least, std::size_t points)
 {
   if (index < least || (index >= 0 && static_cast<std::size_t>(index) >= points))
-    throw BadArgumentException(std::string("the result has ") + name + " " + std::to_string(index) + " for " +
-                               std::to_string(points) + " points");
+    throw detail::PlainException<BadArgumentException>(std::string("the result has ") + name + " " +
+                                                       std::to_string(index) + " for " + std::to_string(points) +
+                                                       " points");
 }
 
 void
@@ -30,8 +33,8 @@ checkNumbers(const char* name, const std::vector<float>& values)
 {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]))
-      throw BadArgumentException(std::string("the result has ") + name + " " + std::to_string(values[i]) +
-                                 " for point " + std::to_string(i));
+      throw detail::PlainException<BadArgumentException>(std::string("the result has ") + name + " " +
+                                                         std::to_string(values[i]) + " for point " + std::to_string(i));
 }
 
 template <typename Enum>
@@ -40,9 +43,9 @@ checkLabels(const char* name, const std::vector<Enum>& labels, Enum last)
 {
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (labels[i] > last)
-      throw BadArgumentException(std::string("the result has ") + name + " " +
-                                 std::to_string(static_cast<int>(labels[i])) + " for point " + std::to_string(i) +
-                                 ", allowed are 0 to " + std::to_string(static_cast<int>(last)));
+      throw detail::PlainException<BadArgumentException>(
+          std::string("the result has ") + name + " " + std::to_string(static_cast<int>(labels[i])) + " for point " +
+          std::to_string(i) + ", allowed are 0 to " + std::to_string(static_cast<int>(last)));
 }
 
 } // namespace

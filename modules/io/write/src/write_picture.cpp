@@ -6,6 +6,7 @@
 #include "picture/png.h"
 #include "picture/rasterizer.h"
 
+#include <pcl/symmetry/impl/plain_exception.h>
 #include <pcl/symmetry/surface_io.h>
 
 #include <pcl/exceptions.h>
@@ -278,7 +279,8 @@ writePicture(const std::string& path, const Surface& surface, const SymmetryResu
 {
   checkResult(result, surface.size());
   if (fileEnding(path) != ".png")
-    throw IOException(path + ": unknown ending '" + fileEnding(path) + "': a picture is written as .png");
+    throw detail::PlainException<IOException>(path + ": unknown ending '" + fileEnding(path) +
+                                              "': a picture is written as .png");
   const std::vector<PartnerPair> pairs = findPartnerPairs(surface, result);
   const PictureView view = chooseView(surface, result, pairs);
 
