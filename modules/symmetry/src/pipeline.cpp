@@ -1,5 +1,6 @@
 #include "symmetry/pipeline.h"
 
+#include "base/heartbeat.h"
 #include "symmetry/confidence/map_confidence.h"
 #include "symmetry/interpretations.h"
 #include "symmetry/result_delivery.h"
@@ -78,6 +79,21 @@ boundByShareUsed(SymmetryResult& result)
   }
 }
 
+/** What became of the points of the input, for those who are told that there are too few. */
+std::string
+describePoints(const InputSummary& input)
+{
+  std::string text = "of " + std::to_string(input.points) + " points ";
+  for (const auto& [count, reason] : {std::pair(input.non_finite, " are no finite places, "),
+                                      {input.outliers, " are outliers, "},
+                                      {input.other_components, " are in other parts, "}}) {
+    if (count > 0) {
+      text += std::to_string(count) + reason;
+    }
+  }
+  return text + std::to_string(input.working_points) + " at distinct places are left";
+}
+
 /** The whole method. */
 void
 estimateInto(SymmetryResult& result,
@@ -100,6 +116,9 @@ estimateInto(SymmetryResult& result,
   result.message = estimate.message;
   result.confidence = estimate.confidence;
   result.diameter = estimate.diameter / prepared.scale;
+  if (estimate.status == SymmetryStatus::TooFewPoints) {
+    result.message += "; " + describePoints(result.input);
+  }
   if (!hasMap(estimate.status)) {
     return;
   }
@@ -163,6 +182,7 @@ runPipeline(const Surface& surface,
             StepTimer& timer)
 {
   SymmetryResult result = emptyResult(surface);
+  const HeartbeatScope alive([&timer] { timer.beat(); });
   try {
     estimateInto(result, surface, parameters, search, timer);
   }

@@ -27,6 +27,8 @@ evenSpacing(const PreparedSurface& surface, std::size_t points);
  * among others shorten ways on one side of a body and not on the other. Nor is one of fewer than 60 points split: what
  * has hardly a shape is not made to look as if it had.
  *
+ * The splitting ends early where it would make more than four times the wanted points, of slivers.
+ *
  * A new point stands for no point of the input; what is found there is told of the nearest of the points that its side
  * is between.
  * \param[in,out] surface a mesh; its normals are not brought along

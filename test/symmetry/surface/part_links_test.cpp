@@ -84,7 +84,7 @@ TEST(PartLinks, LinksWhatLiesBetweenTwoOthersToBoth)
 
 TEST(PartLinks, BridgesAnyGapInTheEnd)
 {
-  const Surface mesh = spheresAt({{0, 0, 0}, {0.9F, 0, 0}, {0, 2.5F, 0}, {0.1F, 2.5F, 0}}, 0.02F);
+  const Surface mesh = spheresAt({{0, 0, 0}, {0.9F, 0, 0}, {0, 2.5F, 0}, {0.12F, 2.5F, 0}}, 0.02F);
   EXPECT_EQ(countGroups(linked(mesh)), 4U);
   EXPECT_EQ(countGroups(linked(mesh, PartGaps::Any)), 1U);
 }

@@ -2,6 +2,7 @@
 #include "io/write/position_writer.h"
 #include "io/write/result_check.h"
 
+#include <pcl/symmetry/impl/plain_exception.h>
 #include <pcl/symmetry/surface_io.h>
 
 #include <pcl/exceptions.h>
@@ -88,7 +89,8 @@ writeAxis(const std::string& path, const Surface& surface, const SymmetryResult&
   else if (ending == ".pcd")
     writeWholeFile(path, toPcd(surface, result.axis));
   else
-    throw IOException(path + ": unknown ending '" + ending + "': an axis is written as .ply or .pcd");
+    throw detail::PlainException<IOException>(path + ": unknown ending '" + ending +
+                                              "': an axis is written as .ply or .pcd");
 }
 
 } // namespace symmetry

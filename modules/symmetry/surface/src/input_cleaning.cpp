@@ -1,5 +1,6 @@
 #include "symmetry/surface/input_cleaning.h"
 
+#include "base/heartbeat.h"
 #include "base/vector_math.h"
 #include "symmetry/surface/cloud_cleaning.h"
 #include "symmetry/surface/mesh_cleaning.h"
@@ -94,10 +95,12 @@ usablePoints(const Surface& surface,
   }
   else {
     mergeRepeatedPoints(prepared);
+    heartbeat();
     dropDegenerateTriangles(prepared.triangles);
     dropRepeatedTriangles(prepared.size(), prepared.triangles);
     dropUnusedPoints(prepared);
   }
+  heartbeat();
   normalizeScale(prepared);
   if (!prepared.is_cloud) {
     if (points > 0) {
@@ -110,6 +113,7 @@ usablePoints(const Surface& surface,
     dropFaces(prepared);
   }
   mergeRepeatedPoints(prepared);
+  heartbeat();
   dropFarParts(surface.points, parameters, search, prepared);
   if (parameters.outlier_deviations > 0.0F) {
     dropStatisticalOutliers(prepared, parameters, search);

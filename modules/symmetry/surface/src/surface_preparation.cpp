@@ -1,5 +1,6 @@
 #include "symmetry/surface/surface_preparation.h"
 
+#include "base/heartbeat.h"
 #include "base/renumbering.h"
 #include "base/statistics.h"
 #include "base/vector_math.h"
@@ -159,6 +160,7 @@ prepareSurface(UsablePoints usable, const SymmetryParameters& parameters, const 
   else {
     prepared.graph = buildMeshGraph(prepared.points, prepared.triangles);
   }
+  heartbeat();
   finish(prepared, PartGaps::Narrow);
   return prepared;
 }
