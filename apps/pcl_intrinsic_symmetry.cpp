@@ -59,7 +59,7 @@ describeOptions(Options& options)
   output.file("output,o", outputs.labelled, "labelled surface, .ply (with faces) or .pcd");
   output.file("map", outputs.map, "partner of each point, CSV");
   output.file("correspondences", outputs.correspondences, "sparse matches, CSV");
-  output.file("axis", outputs.axis, "symmetry axis curve, .ply or .pcd");
+  output.file("axis", outputs.axis, "symmetry axis curve, .ply, .pcd or .csv");
   output.file("report", outputs.report, "what was found, how and how fast, JSON");
   output.file("picture", outputs.picture, "front and back, .png");
 
@@ -109,7 +109,7 @@ checkOptions(const Options& options)
 {
   checkParameterOptions(options.parameters);
   checkEnding("output", options.outputs.labelled, {".ply", ".pcd"});
-  checkEnding("axis", options.outputs.axis, {".ply", ".pcd"});
+  checkEnding("axis", options.outputs.axis, {".ply", ".pcd", ".csv"});
   checkEnding("picture", options.outputs.picture, {".png"});
   checkDistinct(options.outputs.all(), {options.input});
 }
@@ -136,7 +136,7 @@ describeAxis(const std::vector<Polyline>& axis)
   std::size_t points = 0;
   std::size_t closed = 0;
   for (const Polyline& line : axis) {
-    points += line.points.size();
+    points += line.curve.size();
     closed += line.closed ? 1 : 0;
   }
   const auto curves = [](std::size_t count, const char* kind) {

@@ -143,6 +143,10 @@ TEST_P(BodyTest, AxisIsTheTrueOne)
     for (const Index v : line.points) {
       EXPECT_LT(from_axis[v], GetParam().axis_margin * result.diameter) << v;
     }
+    for (const AxisPoint& place : line.curve) {
+      EXPECT_LT(distance(place.position, model.surface.points[place.nearest]), 0.03F * result.diameter);
+      EXPECT_NEAR(dot(place.across, place.normal), 0.0F, 1e-3F);
+    }
     if (!GetParam().as_cloud) {
       expectClosed(graph, line);
     }

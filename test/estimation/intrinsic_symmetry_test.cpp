@@ -94,6 +94,8 @@ expectNoReferenceTo(const SymmetryResult& result, const std::vector<char>& marke
   }
   for (const Polyline& line : result.axis) {
     EXPECT_TRUE(std::none_of(line.points.begin(), line.points.end(), is_marked));
+    EXPECT_TRUE(std::none_of(line.curve.begin(), line.curve.end(),
+                             [&](const AxisPoint& place) { return is_marked(place.nearest); }));
   }
 }
 

@@ -45,10 +45,24 @@ struct SymmetricMatch {
   float cost = 0.0F;
 };
 
-/** \brief An ordered line through points of the surface. */
+/** \brief A place on the symmetry axis curve, mostly between points of the surface. */
+struct AxisPoint {
+  Vector3 position{};       ///< in the unit and the place of the points
+  float arc_length = 0.0F;  ///< from the first place along the curve, in the unit of the points
+  Vector3 normal{};         ///< of the surface there, of unit length
+  Vector3 across{};         ///< perpendicular to normal and curve, of unit length, towards the source side
+  Index nearest = no_index; ///< point of the surface next to it
+};
+
+/** \brief An ordered line on the surface. */
 struct Polyline {
-  std::vector<Index> points; ///< consecutive points are neighbours; the first is not repeated at the end
-  bool closed = false;       ///< the last point is a neighbour of the first
+  /** Consecutive points are neighbours, but where a line is continued over a gap of a cloud; the first is not repeated
+   * at the end. */
+  std::vector<Index> points;
+  bool closed = false; ///< the last point is a neighbour of the first
+  /** The same line where it really runs: it crosses the edges between points. On a cloud through the surface that was
+   * solved for, which noise is smoothed away from. The first place is not repeated at the end. */
+  std::vector<AxisPoint> curve = {};
 };
 
 /** \brief What was read, used and left out. */

@@ -96,6 +96,9 @@ expandSelection(SymmetryResult& result, const Surface& surface, const std::vecto
   }
   for (Polyline& line : result.axis) {
     renumber(line.points, selection);
+    for (AxisPoint& point : line.curve) {
+      point.nearest = selection[point.nearest];
+    }
   }
   for (std::vector<AlternativeMap>* maps : {&result.alternatives, &result.rotations}) {
     for (AlternativeMap& map : *maps) {

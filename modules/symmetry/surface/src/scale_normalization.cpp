@@ -44,6 +44,7 @@ normalizeScale(PreparedSurface& surface)
     }
   }
   surface.scale = static_cast<float>(scale);
+  surface.centre = centre;
 }
 
 } // namespace symmetry
