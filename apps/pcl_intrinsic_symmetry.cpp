@@ -70,6 +70,8 @@ describeOptions(Options& options)
   method.flag("require-whole", options.require_whole,
               "a surface of which a part has no counterpart is not symmetric: exit status 3");
   method.flag("sparse", parameters.sparse_only, "leave out the dense map and alternatives");
+  method.choice("label-axis", parameters.label_axis, switch_names,
+                "on, or off: points at the axis are labelled as on one of the sides");
   method.number("landmarks", parameters.landmarks, "N",
                 "of the staged method: sources of full distance fields, 10 to 1000");
   method.number("samples", parameters.samples, "N",

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <random>
 #include <string>
@@ -109,6 +110,15 @@ expectSound(const SymmetryResult& result, std::size_t points)
   EXPECT_EQ(static_cast<std::ptrdiff_t>(result.map.axis),
             std::count(result.sides.begin(), result.sides.end(), Side::Axis));
   EXPECT_GT(result.diameter, 0.0F);
+}
+
+TEST_P(BodyTest, PlaneIsTheTrueOneAtRest)
+{
+  if (GetParam().bend == 0.0) {
+    EXPECT_GT(std::abs(result.plane.normal[0]), 0.999);
+    EXPECT_LT(std::abs(result.plane.offset), 0.02 * result.diameter);
+    EXPECT_LT(result.plane.rms, 0.04 * result.diameter);
+  }
 }
 
 /** On a mesh of genus 0 the axis is closed and goes from neighbour to neighbour. */

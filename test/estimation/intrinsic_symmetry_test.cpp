@@ -109,6 +109,21 @@ TEST(IntrinsicSymmetryEstimation, AgreesWithTheFunctionWithoutPclTypes)
   EXPECT_EQ(result.sides, expected.sides);
 }
 
+TEST(IntrinsicSymmetryEstimation, TheAxisNeedNotBeLabelled)
+{
+  SymmetryParameters parameters = staged();
+  const SymmetryResult labelled = estimateIntrinsicSymmetry(bentHuman().surface, parameters);
+  parameters.label_axis = false;
+  const SymmetryResult result = estimateIntrinsicSymmetry(bentHuman().surface, parameters);
+  EXPECT_GT(labelled.map.axis, 0U);
+  EXPECT_EQ(result.map.axis, 0U);
+  EXPECT_EQ(result.axis.size(), labelled.axis.size());
+  for (std::size_t v = 0; v < result.sides.size(); ++v) {
+    EXPECT_TRUE(result.sides[v] == Side::Source || result.sides[v] == Side::Target);
+    EXPECT_TRUE(labelled.sides[v] == Side::Axis || labelled.sides[v] == result.sides[v]);
+  }
+}
+
 TEST(IntrinsicSymmetryEstimation, CorrespondencesAreTheMatches)
 {
   const pcl::IntrinsicSymmetryResult result = compute(humanMesh());

@@ -116,7 +116,8 @@ writeAxis(const std::string& path, const Surface& surface, const SymmetryResult&
 
 /** \brief Writes the report: one JSON object.
  *
- * Keys: status, message, confidence, diameter, input, map, matches (their number), alternatives and rotations (only
+ * Keys: status, message, confidence, diameter, input, map, matches (their number), mirror_plane (where there is a dense
+ * map), alternatives and rotations (only
  * where there are several reflections; see SymmetryResult), parameters, seconds (steps in order, and their sum as
  * total), version. A number that is not finite is null.
  *

@@ -6,6 +6,7 @@
 #include <pcl/symmetry/export.h>
 #include <pcl/symmetry/surface.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -93,6 +94,18 @@ struct MapSummary {
   float isometry_error = 0.0F; ///< mean |d (p, q) - d (m (p), m (q))| over pairs of landmarks, share of the diameter
 };
 
+/** \brief The plane in which the reflection comes nearest to the map: what it is for a body in a symmetric pose.
+ *
+ * For places where the file has them: Surface::offset is included. */
+struct MirrorPlane {
+  std::array<double, 3> normal{}; ///< of unit length, towards the source side; zero where no point has a partner
+  double offset = 0.0;            ///< normal . p = offset for p in the plane, in the unit of the points
+  double rms = 0.0; ///< root mean square distance of the partners from the mirrored points: 0 is an exact mirror image
+  /** Rows of a rigid motion (a turn, and in the last column a shift) that brings the plane to x = 0 and the source side
+   * to where x is positive. */
+  std::array<std::array<double, 4>, 3> to_x{};
+};
+
 /** \brief A connected part of the surface that has no counterpart under the map. */
 struct UnsupportedPart {
   std::size_t points = 0; ///< of the surface that was solved for
@@ -145,6 +158,7 @@ struct SymmetryResult {
   float diameter = 0.0F; ///< largest distance between landmarks, in the unit of the points
   InputSummary input;    ///< what was read, used and left out
   MapSummary map;        ///< properties of the dense map
+  MirrorPlane plane;     ///< best-fit mirror plane of the dense map; see its rms
   std::vector<std::pair<std::string, double>> seconds; ///< wall time per step, in order; steps do not overlap
 };
 

@@ -3,6 +3,7 @@
 #include "symmetry/confidence/unsupported_parts.h"
 #include "symmetry/sides/axis_curve.h"
 #include "symmetry/sides/axis_smoothing.h"
+#include "symmetry/sides/mirror_plane.h"
 #include "symmetry/sides/sides.h"
 
 #include <algorithm>
@@ -123,13 +124,19 @@ deliverMap(const MapEstimate& estimate, const PreparedSurface& prepared, Symmetr
 }
 
 void
-deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
+deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, bool label_axis, SymmetryResult& result)
 {
   const ToInput to_input(prepared);
   const std::vector<float> side_function =
       absorbSpecks(prepared.graph, smoothedNearAxis(prepared, absorbSpecks(prepared.graph, estimate.side_function)));
   std::vector<Side> sides = labelSides(side_function);
-  markAxis(prepared.graph, side_function, estimate.partners, sides);
+  if (!estimate.partners.empty()) {
+    result.plane =
+        movedPlane(fitMirrorPlane(prepared.points, estimate.partners, sides), 1.0 / prepared.scale, prepared.centre);
+  }
+  if (label_axis) {
+    markAxis(prepared.graph, side_function, estimate.partners, sides);
+  }
   to_input.scatter(sides, result.sides);
   const bool is_partial = estimate.status == SymmetryStatus::PartlySymmetric;
   result.axis = traceAxis(prepared, side_function, is_partial ? estimate.is_unsupported : std::vector<char>{});
@@ -186,12 +193,12 @@ leaveOutUnsupported(MapEstimate& estimate)
 }
 
 void
-deliverResult(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
+deliverResult(const MapEstimate& estimate, const PreparedSurface& prepared, bool label_axis, SymmetryResult& result)
 {
   deliverMap(estimate, prepared, result);
   result.map.matched = static_cast<std::size_t>(
       std::count_if(result.partners.begin(), result.partners.end(), [](Index partner) { return partner != no_index; }));
-  deliverSides(estimate, prepared, result);
+  deliverSides(estimate, prepared, label_axis, result);
   if (estimate.status == SymmetryStatus::PartlySymmetric) {
     deliverUnsupported(estimate, prepared, result);
   }
