@@ -94,6 +94,8 @@ expectNoReferenceTo(const SymmetryResult& result, const std::vector<char>& marke
   }
   for (const Polyline& line : result.axis) {
     EXPECT_TRUE(std::none_of(line.points.begin(), line.points.end(), is_marked));
+    EXPECT_TRUE(std::none_of(line.curve.begin(), line.curve.end(),
+                             [&](const AxisPoint& place) { return is_marked(place.nearest); }));
   }
 }
 
@@ -105,6 +107,21 @@ TEST(IntrinsicSymmetryEstimation, AgreesWithTheFunctionWithoutPclTypes)
   EXPECT_EQ(result.partners, expected.partners);
   EXPECT_EQ(result.confidences, expected.confidences);
   EXPECT_EQ(result.sides, expected.sides);
+}
+
+TEST(IntrinsicSymmetryEstimation, TheAxisNeedNotBeLabelled)
+{
+  SymmetryParameters parameters = staged();
+  const SymmetryResult labelled = estimateIntrinsicSymmetry(bentHuman().surface, parameters);
+  parameters.label_axis = false;
+  const SymmetryResult result = estimateIntrinsicSymmetry(bentHuman().surface, parameters);
+  EXPECT_GT(labelled.map.axis, 0U);
+  EXPECT_EQ(result.map.axis, 0U);
+  EXPECT_EQ(result.axis.size(), labelled.axis.size());
+  for (std::size_t v = 0; v < result.sides.size(); ++v) {
+    EXPECT_TRUE(result.sides[v] == Side::Source || result.sides[v] == Side::Target);
+    EXPECT_TRUE(labelled.sides[v] == Side::Axis || labelled.sides[v] == result.sides[v]);
+  }
 }
 
 TEST(IntrinsicSymmetryEstimation, CorrespondencesAreTheMatches)

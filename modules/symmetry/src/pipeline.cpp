@@ -140,7 +140,7 @@ estimateInto(SymmetryResult& result,
   // Deliver: in numbers of the input's points; sides and the curve between them.
   result.map = measured;
   timer.start("axis", 0.9);
-  deliverResult(estimate, prepared, result);
+  deliverResult(estimate, prepared, parameters.label_axis, result);
 }
 
 } // namespace

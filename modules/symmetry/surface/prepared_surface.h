@@ -7,6 +7,7 @@
 
 #include <pcl/symmetry/symmetry_result.h>
 
+#include <array>
 #include <vector>
 
 namespace pcl {
@@ -31,7 +32,8 @@ struct PreparedSurface {
   /** For each input point the point here that stands for it, no_index where it was left out. Several may share one: a
    * noisy or very large cloud is solved on a thinned-out one. */
   std::vector<Index> representatives;
-  float scale = 1.0F; ///< length here = scale * length in the input
+  float scale = 1.0F;             ///< length here = scale * length in the input
+  std::array<double, 3> centre{}; ///< place here = scale * (place in the input - centre)
   InputSummary summary;
 
   std::size_t

@@ -67,6 +67,12 @@ describeMap(const SymmetryResult& result)
 }
 
 Json
+describePlane(const MirrorPlane& plane)
+{
+  return {{"normal", plane.normal}, {"offset", plane.offset}, {"rms", plane.rms}, {"to_x", plane.to_x}};
+}
+
+Json
 describeUnsupported(const std::vector<UnsupportedPart>& parts)
 {
   Json list = Json::array();
@@ -103,6 +109,7 @@ describeParameters(const SymmetryParameters& parameters)
           {"embedding_dimensions", parameters.embedding_dimensions},
           {"pairing", nameOf(pairing_names, parameters.pairing)},
           {"sparse_only", parameters.sparse_only},
+          {"label_axis", parameters.label_axis},
           {"alternatives", parameters.alternatives},
           {"threads", parameters.threads}};
 }
@@ -159,6 +166,8 @@ writeReport(const std::string& path,
                  {"input", describeInput(input_file, result.input)},
                  {"map", describeMap(result)},
                  {"matches", result.matches.size()}};
+  if (result.plane.normal != MirrorPlane{}.normal)
+    report["mirror_plane"] = describePlane(result.plane);
   if (!result.unsupported.empty())
     report["unsupported"] = describeUnsupported(result.unsupported);
   if (result.alternatives.size() > 1) {

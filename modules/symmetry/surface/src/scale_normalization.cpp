@@ -51,12 +51,18 @@ normalizeScale(PreparedSurface& surface)
 {
   const BoundingBox box = surface.triangles.empty() ? boundingBox(surface.points) : boxOfLargestComponent(surface);
   surface.scale = fitIntoUnitBox(box, surface.points);
+  surface.centre = box.centre();
 }
 
 void
 renormalizeScale(PreparedSurface& surface)
 {
-  const float factor = fitIntoUnitBox(boundingBox(surface.points), surface.points);
+  const BoundingBox box = boundingBox(surface.points);
+  const std::array<double, 3> shift = box.centre();
+  for (std::size_t k = 0; k < 3; ++k) {
+    surface.centre[k] += shift[k] / double{surface.scale};
+  }
+  const float factor = fitIntoUnitBox(box, surface.points);
   surface.scale *= factor;
   for (float& length : surface.graph.lengths) {
     length *= factor;
