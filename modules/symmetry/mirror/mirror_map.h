@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "symmetry/mirror/mirror_plane.h"
+#include "symmetry/mirror/plane_reflection.h"
 #include "symmetry/surface/prepared_surface.h"
 
 #include <vector>
@@ -28,7 +28,7 @@ struct MirrorMap {
  * \param[in] reach distance beyond which a point is no partner
  */
 MirrorMap
-mapByMirror(const PreparedSurface& surface, const MirrorPlane& plane, float tolerance, float reach, unsigned threads);
+mapByMirror(const PreparedSurface& surface, const PlaneReflection& plane, float tolerance, float reach, unsigned threads);
 
 } // namespace symmetry
 } // namespace pcl

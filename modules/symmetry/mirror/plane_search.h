@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "symmetry/mirror/mirror_plane.h"
+#include "symmetry/mirror/plane_reflection.h"
 #include "symmetry/surface/prepared_surface.h"
 
 #include <cstddef>
@@ -40,7 +40,7 @@ struct AreaSamples {
 
 /** \brief A plane, and how well the surface is its own mirror image in it. */
 struct MirrorFit {
-  MirrorPlane plane;
+  PlaneReflection plane;
   float share = 0.0F;        ///< of the area whose image lies on the surface, within the tolerance
   float residual = 0.0F;     ///< mean distance of the images from the surface, cut at the tolerance
   float displacement = 0.0F; ///< mean distance from the plane

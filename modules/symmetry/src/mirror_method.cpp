@@ -32,7 +32,7 @@ toleranceFor(const PreparedSurface& surface, const PlaneSearchSettings& settings
 }
 
 MirrorMap
-mapByPlane(const SampledSurface& sampled, const MirrorPlane& plane, const MirrorSettings& settings)
+mapByPlane(const SampledSurface& sampled, const PlaneReflection& plane, const MirrorSettings& settings)
 {
   const PreparedSurface& surface = sampled.surface;
   const float close = std::max(toleranceFor(surface, settings.planes), median(surface.graph.lengths));
@@ -42,7 +42,7 @@ mapByPlane(const SampledSurface& sampled, const MirrorPlane& plane, const Mirror
 
 /** The heights over the plane; what lies in it is on neither side. */
 std::vector<float>
-sidesOfPlane(const PreparedSurface& surface, const MirrorPlane& plane)
+sidesOfPlane(const PreparedSurface& surface, const PlaneReflection& plane)
 {
   constexpr float rounding = 1e-5F; // surfaces are at unit scale
   std::vector<float> sides;

@@ -55,7 +55,7 @@ TEST(MapByMirror, LeavesOutWhatHasNothingInItsPlace)
 TEST(MapByMirror, IsTheSameForAnyNumberOfThreads)
 {
   const PreparedSurface surface = chair();
-  const MirrorPlane plane{normalized({1.0F, 0.1F, 0.0F}), 0.01F};
+  const PlaneReflection plane{normalized({1.0F, 0.1F, 0.0F}), 0.01F};
   EXPECT_EQ(mapByMirror(surface, plane, 0.05F, 0.1F, 1).partners, mapByMirror(surface, plane, 0.05F, 0.1F, 3).partners);
 }
 

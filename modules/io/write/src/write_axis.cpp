@@ -152,12 +152,8 @@ writeAxis(const std::string& path, const Surface& surface, const SymmetryResult&
   else if (ending == ".csv")
     writeWholeFile(path, toCsv(surface, result.axis));
   else
-<<<<<<< HEAD
     throw detail::PlainException<IOException>(path + ": unknown ending '" + ending +
-                                              "': an axis is written as .ply or .pcd");
-=======
-    throw IOException(path + ": unknown ending '" + ending + "': an axis is written as .ply, .pcd or .csv");
->>>>>>> b00b6197616bfbcb7556ef1f1ee3e189481027fb
+                                              "': an axis is written as .ply, .pcd or .csv");
 }
 
 } // namespace symmetry

@@ -77,12 +77,12 @@ directionsOverHalfSphere(const Eigen::Matrix3d& axes, std::size_t count)
 }
 
 struct RatedPlane {
-  MirrorPlane plane;
+  PlaneReflection plane;
   float cost = 0.0F;
 };
 
 bool
-areDistinct(const MirrorPlane& a, const MirrorPlane& b, float angle)
+areDistinct(const PlaneReflection& a, const PlaneReflection& b, float angle)
 {
   return std::abs(dot(a.normal, b.normal)) < std::cos(angle);
 }
@@ -121,8 +121,8 @@ public:
   }
 
   /** Steps of Gauss and Newton that close the gaps between the images and the points nearest to them. */
-  MirrorPlane
-  run(MirrorPlane plane, int rounds) const
+  PlaneReflection
+  run(PlaneReflection plane, int rounds) const
   {
     for (int round = 0; round < rounds; ++round) {
       const float part = static_cast<float>(round) / static_cast<float>(std::max(1, rounds - 1));
@@ -150,8 +150,8 @@ private:
     return best;
   }
 
-  MirrorPlane
-  step(const MirrorPlane& plane, float scale) const
+  PlaneReflection
+  step(const PlaneReflection& plane, float scale) const
   {
     const Eigen::Vector3d normal = toEigen(plane.normal);
     const Eigen::Vector3d t1 = normal.unitOrthogonal();
@@ -201,7 +201,7 @@ rateDirections(const AreaSamples& samples, const PlaneSearchSettings& settings)
   const DistanceGrid grid(samples.points, grid_cells);
   std::vector<RatedPlane> rated;
   for (const Vector3& direction : directionsOverHalfSphere(inertia.axes, settings.directions)) {
-    const MirrorPlane plane{direction, static_cast<float>(toEigen(direction).dot(inertia.centroid))};
+    const PlaneReflection plane{direction, static_cast<float>(toEigen(direction).dot(inertia.centroid))};
     float cost = 0.0F;
     float displacement = 0.0F;
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -217,7 +217,7 @@ rateDirections(const AreaSamples& samples, const PlaneSearchSettings& settings)
 
 /** How well the first samples, so many, are carried onto the surface. */
 MirrorFit
-measureFit(const MirrorPlane& plane,
+measureFit(const PlaneReflection& plane,
            const AreaSamples& samples,
            const SurfaceDistance& distance_from,
            float tolerance,
@@ -244,25 +244,25 @@ std::vector<MirrorFit>
 findMirrorPlanes(const AreaSamples& samples, const PreparedSurface& surface, const PlaneSearchSettings& settings)
 {
   const auto diagonal = static_cast<float>(boundingBox(surface.points).diagonal());
-  std::vector<MirrorPlane> chosen;
+  std::vector<PlaneReflection> chosen;
   for (const RatedPlane& rated : rateDirections(samples, settings)) {
     if (chosen.size() >= settings.aligned || rated.cost > settings.hopeless * diagonal) {
       break;
     }
     if (std::all_of(chosen.begin(), chosen.end(),
-                    [&](const MirrorPlane& other) { return areDistinct(rated.plane, other, settings.distinct); })) {
+                    [&](const PlaneReflection& other) { return areDistinct(rated.plane, other, settings.distinct); })) {
       chosen.push_back(rated.plane);
     }
   }
   const float tolerance = settings.tolerance * diagonal;
   const SurfaceDistance distance_from(surface, tolerance);
-  const auto look = [&](const MirrorPlane& plane, std::size_t count) {
+  const auto look = [&](const PlaneReflection& plane, std::size_t count) {
     return measureFit(plane, samples, distance_from, tolerance, count);
   };
   const Alignment alignment(samples, {samples.points, samples.normals}, onto_samples, diagonal);
   const Alignment polish(samples, {surface.points, surface.normals}, onto_points, diagonal);
   std::vector<MirrorFit> fits;
-  for (const MirrorPlane& plane : chosen) {
+  for (const PlaneReflection& plane : chosen) {
     MirrorFit fit = look(alignment.run(plane, settings.rounds), first_look);
     if (fit.share < settings.promising_share) {
       continue; // as nearly all are, for a small part of the cost

@@ -9,7 +9,7 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief The points p with dot (normal, p) = offset. */
-struct MirrorPlane {
+struct PlaneReflection {
   Vector3 normal{1.0F, 0.0F, 0.0F}; ///< unit length
   float offset = 0.0F;
 
