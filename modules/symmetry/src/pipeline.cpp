@@ -2,6 +2,7 @@
 
 #include "base/heartbeat.h"
 #include "symmetry/confidence/map_confidence.h"
+#include "symmetry/confidence/part_twins.h"
 #include "symmetry/interpretations.h"
 #include "symmetry/result_delivery.h"
 #include "symmetry/robust_method.h"
@@ -128,7 +129,8 @@ estimateInto(SymmetryResult& result,
                                   ? MapSummary{}
                                   : measureMap(prepared, estimate.partners, estimate.diameter, parameters.threads);
   if (!estimate.partners.empty()) {
-    result.confidence = std::min(result.confidence, confidenceBound(measured));
+    const float twins = shareOfTwinParts(prepared, estimate.partners);
+    result.confidence = std::min({result.confidence, confidenceBound(measured), twins});
   }
   if (result.confidence < leastMapConfidence(1.0F)) { // the lowest limit there is
     result.status = SymmetryStatus::NoSymmetry;
