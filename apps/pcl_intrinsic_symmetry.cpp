@@ -74,7 +74,7 @@ describeOptions(Options& options)
   output.file("output,o", outputs.labelled, "labelled surface, .ply (with faces) or .pcd");
   output.file("map", outputs.map, "partner of each point, CSV");
   output.file("correspondences", outputs.correspondences, "sparse matches, CSV");
-  output.file("axis", outputs.axis, "symmetry axis curve, .ply or .pcd");
+  output.file("axis", outputs.axis, "symmetry axis curve, .ply, .pcd or .csv");
   output.file("report", outputs.report, "what was found, how and how fast, JSON");
   output.file("picture", outputs.picture, "front and back, .png");
 
@@ -85,6 +85,8 @@ describeOptions(Options& options)
   method.flag("require-whole", options.require_whole,
               "a surface of which a part has no counterpart is not symmetric: exit status 3");
   method.flag("sparse", parameters.sparse_only, "leave out the dense map and alternatives");
+  method.choice("label-axis", parameters.label_axis, switch_names,
+                "on, or off: points at the axis are labelled as on one of the sides");
   method.number("landmarks", parameters.landmarks, "N",
                 "of the staged method: sources of full distance fields, 10 to 1000");
   method.number("samples", parameters.samples, "N",
@@ -126,7 +128,7 @@ checkOptions(const Options& options)
 {
   checkParameterOptions(options.parameters);
   checkEnding("output", options.outputs.labelled, {".ply", ".pcd"});
-  checkEnding("axis", options.outputs.axis, {".ply", ".pcd"});
+  checkEnding("axis", options.outputs.axis, {".ply", ".pcd", ".csv"});
   checkEnding("picture", options.outputs.picture, {".png"});
   checkDistinct(options.outputs.all(), {options.input});
   const std::vector<std::string> formats = {"", "pcd", "ply", "obj", "off", "stl"};
@@ -158,7 +160,7 @@ describeAxis(const std::vector<Polyline>& axis)
   std::size_t points = 0;
   std::size_t closed = 0;
   for (const Polyline& line : axis) {
-    points += line.points.size();
+    points += line.curve.size();
     closed += line.closed ? 1 : 0;
   }
   const auto curves = [](std::size_t count, const char* kind) {

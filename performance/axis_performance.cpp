@@ -1,5 +1,6 @@
 #include "bodies.h"
 #include "symmetry/sides/axis_curve.h"
+#include "symmetry/sides/axis_smoothing.h"
 #include "symmetry/sides/sides.h"
 
 using namespace pcl::symmetry;
@@ -21,9 +22,12 @@ axis(benchmark::State& state)
     }
   }
   for (auto _ : state) {
-    const std::vector<float> values = absorbSpecks(graph, side_function);
-    const std::vector<Side> sides = labelSides(graph, values);
-    benchmark::DoNotOptimize(traceAxis(graph, body.surface.triangles, values, sides));
+    const std::vector<float> values =
+        absorbSpecks(graph, smoothedNearAxis(body.surface, absorbSpecks(graph, side_function)));
+    std::vector<Side> sides = labelSides(values);
+    markAxis(graph, values, body.partners, sides);
+    benchmark::DoNotOptimize(sides);
+    benchmark::DoNotOptimize(traceAxis(body.surface, values, {}));
   }
 }
 BENCHMARK(axis)->Apply(onAllSizes);

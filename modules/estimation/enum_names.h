@@ -31,6 +31,8 @@ constexpr EnumName<PairingFeature> pairing_names[] = {{PairingFeature::AverageGe
                                                       {PairingFeature::MinimalGeodesicDistance, "mgd"},
                                                       {PairingFeature::BySurfaceSize, "size"}};
 
+constexpr EnumName<bool> switch_names[] = {{true, "on"}, {false, "off"}};
+
 constexpr EnumName<SymmetryStatus> status_names[] = {{SymmetryStatus::Symmetric, "symmetric"},
                                                      {SymmetryStatus::PartlySymmetric, "partly_symmetric"},
                                                      {SymmetryStatus::NoSymmetry, "no_symmetry"},

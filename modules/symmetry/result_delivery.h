@@ -21,9 +21,10 @@ void
 leaveOutUnsupported(MapEstimate& estimate);
 
 /** \brief Fills in partners, sides, axis, matches, limbs and, of a partial map, the parts that are left out.
+ * \param[in] label_axis see SymmetryParameters
  * \param[in,out] result with the measures of the map and one entry per point of the input in every array */
 void
-deliverResult(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result);
+deliverResult(const MapEstimate& estimate, const PreparedSurface& prepared, bool label_axis, SymmetryResult& result);
 
 } // namespace symmetry
 } // namespace pcl

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <random>
 #include <string>
@@ -111,6 +112,15 @@ expectSound(const SymmetryResult& result, std::size_t points)
   EXPECT_GT(result.diameter, 0.0F);
 }
 
+TEST_P(BodyTest, PlaneIsTheTrueOneAtRest)
+{
+  if (GetParam().bend == 0.0) {
+    EXPECT_GT(std::abs(result.plane.normal[0]), 0.999);
+    EXPECT_LT(std::abs(result.plane.offset), 0.02 * result.diameter);
+    EXPECT_LT(result.plane.rms, 0.04 * result.diameter);
+  }
+}
+
 /** On a mesh of genus 0 the axis is closed and goes from neighbour to neighbour. */
 void
 expectClosed(const SurfaceGraph& graph, const Polyline& line)
@@ -142,6 +152,10 @@ TEST_P(BodyTest, AxisIsTheTrueOne)
   for (const Polyline& line : result.axis) {
     for (const Index v : line.points) {
       EXPECT_LT(from_axis[v], GetParam().axis_margin * result.diameter) << v;
+    }
+    for (const AxisPoint& place : line.curve) {
+      EXPECT_LT(distance(place.position, model.surface.points[place.nearest]), 0.03F * result.diameter);
+      EXPECT_NEAR(dot(place.across, place.normal), 0.0F, 1e-3F);
     }
     if (!GetParam().as_cloud) {
       expectClosed(graph, line);

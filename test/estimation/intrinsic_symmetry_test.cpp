@@ -94,6 +94,8 @@ expectNoReferenceTo(const SymmetryResult& result, const std::vector<char>& marke
   }
   for (const Polyline& line : result.axis) {
     EXPECT_TRUE(std::none_of(line.points.begin(), line.points.end(), is_marked));
+    EXPECT_TRUE(std::none_of(line.curve.begin(), line.curve.end(),
+                             [&](const AxisPoint& place) { return is_marked(place.nearest); }));
   }
 }
 
@@ -105,6 +107,21 @@ TEST(IntrinsicSymmetryEstimation, AgreesWithTheFunctionWithoutPclTypes)
   EXPECT_EQ(result.partners, expected.partners);
   EXPECT_EQ(result.confidences, expected.confidences);
   EXPECT_EQ(result.sides, expected.sides);
+}
+
+TEST(IntrinsicSymmetryEstimation, TheAxisNeedNotBeLabelled)
+{
+  SymmetryParameters parameters = staged();
+  const SymmetryResult labelled = estimateIntrinsicSymmetry(bentHuman().surface, parameters);
+  parameters.label_axis = false;
+  const SymmetryResult result = estimateIntrinsicSymmetry(bentHuman().surface, parameters);
+  EXPECT_GT(labelled.map.axis, 0U);
+  EXPECT_EQ(result.map.axis, 0U);
+  EXPECT_EQ(result.axis.size(), labelled.axis.size());
+  for (std::size_t v = 0; v < result.sides.size(); ++v) {
+    EXPECT_TRUE(result.sides[v] == Side::Source || result.sides[v] == Side::Target);
+    EXPECT_TRUE(labelled.sides[v] == Side::Axis || labelled.sides[v] == result.sides[v]);
+  }
 }
 
 TEST(IntrinsicSymmetryEstimation, CorrespondencesAreTheMatches)
@@ -205,9 +222,12 @@ TEST(IntrinsicSymmetryEstimation, PointsOutsideTheIndicesTakeNoPart)
   EXPECT_EQ(result.input.used, static_cast<std::size_t>(n));
 }
 
-TEST(IntrinsicSymmetryEstimation, OnlyTheLargestComponentTakesPart)
+TEST(IntrinsicSymmetryEstimation, OnlyTheLargestObjectTakesPart)
 {
-  Surface surface = sphereMesh(3);
+  Surface surface = scaled(sphereMesh(3), {0.1F, 0.1F, 0.1F});
+  for (Vector3& p : surface.points) {
+    p[0] += 5.0F; // farther away than either is large
+  }
   const auto sphere = static_cast<Index>(surface.size());
   surface.points.insert(surface.points.end(), bentHuman().surface.points.begin(), bentHuman().surface.points.end());
   for (const Triangle& t : bentHuman().surface.triangles) {
@@ -228,8 +248,10 @@ TEST(IntrinsicSymmetryEstimation, OnlyTheLargestComponentTakesPart)
     }
   }
   expectNoReferenceTo(result, marked);
-  EXPECT_EQ(result.input.components, 3U);
-  EXPECT_EQ(result.input.other_components, static_cast<std::size_t>(sphere) + 1);
+  EXPECT_EQ(result.input.components, 2U);
+  EXPECT_EQ(result.input.unused, 1U);
+  EXPECT_EQ(result.input.linked_parts, 0U);
+  EXPECT_EQ(result.input.other_components, static_cast<std::size_t>(sphere));
   EXPECT_EQ(result.input.used, bentHuman().surface.size());
 }
 

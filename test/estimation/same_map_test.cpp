@@ -69,6 +69,11 @@ expectSameBytes(const SymmetryResult& a, const SymmetryResult& b)
   for (std::size_t i = 0; i < a.axis.size(); ++i) {
     EXPECT_EQ(a.axis[i].points, b.axis[i].points);
     EXPECT_EQ(a.axis[i].closed, b.axis[i].closed);
+    ASSERT_EQ(a.axis[i].curve.size(), b.axis[i].curve.size());
+    for (std::size_t k = 0; k < a.axis[i].curve.size(); ++k) {
+      EXPECT_EQ(a.axis[i].curve[k].position, b.axis[i].curve[k].position);
+      EXPECT_EQ(a.axis[i].curve[k].across, b.axis[i].curve[k].across);
+    }
   }
   ASSERT_EQ(a.matches.size(), b.matches.size());
   for (std::size_t i = 0; i < a.matches.size(); ++i) {

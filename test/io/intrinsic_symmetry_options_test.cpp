@@ -69,11 +69,13 @@ TEST_F(IntrinsicSymmetryOptions, ParametersReachTheReport)
        "estimate", "--outliers",
        "2.5",      "--pairing",
        "mgd",      "--threads",
-       "2",        "--as-cloud"});
+       "2",        "--label-axis",
+       "off",      "--as-cloud"});
   const nlohmann::json parameters = report().at("parameters");
   EXPECT_EQ(parameters.at("method"), "staged");
   EXPECT_EQ(parameters.at("metric"), "euclidean");
   EXPECT_EQ(parameters.at("sparse_only"), true);
+  EXPECT_EQ(parameters.at("label_axis"), false);
   EXPECT_EQ(parameters.at("k_search"), 17);
   EXPECT_EQ(parameters.at("landmarks"), 55);
   EXPECT_EQ(parameters.at("samples"), 200);

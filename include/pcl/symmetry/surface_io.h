@@ -120,12 +120,14 @@ writeMap(const std::string& path, const SymmetryResult& result);
 PCL_SYMMETRY_EXPORTS void
 writeCorrespondences(const std::string& path, const SymmetryResult& result);
 
-/** \brief Writes the axis curve as binary .ply (vertices and edges; a closed polyline has the edge that closes it) or
- * .pcd.
+/** \brief Writes the axis curve as binary .ply (vertices and edges; a closed polyline has the edge that closes it),
+ * .pcd or .csv.
  *
- * Positions are as in writeLabelledSurface(). Points come in the order of the polylines, each with \a index, its number in the surface, and \a curve, the number of
- * its polyline. Without an axis the file has no points.
- * \throws pcl::IOException cannot be written, or the ending is neither .ply nor .pcd
+ * The places of Polyline::curve in the order of the polylines. Positions are as in writeLabelledSurface(). Each has the
+ * normal of the surface, the direction across the curve towards the source side, the arc length, \a index, the number
+ * of the nearest point of the surface, and \a curve, the number of its polyline; in CSV also whether that is closed.
+ * Without an axis the file has no places.
+ * \throws pcl::IOException cannot be written, or the ending is none of .ply, .pcd and .csv
  * \throws pcl::BadArgumentException the result does not belong to the surface
  * \ingroup symmetry
  */
@@ -134,7 +136,8 @@ writeAxis(const std::string& path, const Surface& surface, const SymmetryResult&
 
 /** \brief Writes the report: one JSON object.
  *
- * Keys: status, message, confidence, diameter, input, map, matches (their number), alternatives and rotations (only
+ * Keys: status, message, confidence, diameter, input, map, matches (their number), mirror_plane (where there is a dense
+ * map), alternatives and rotations (only
  * where there are several reflections; see SymmetryResult), parameters, seconds (steps in order, and their sum as
  * total), version. A number that is not finite is null.
  *

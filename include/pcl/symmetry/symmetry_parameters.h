@@ -60,6 +60,8 @@ struct SymmetryParameters {
   PairingFeature pairing = PairingFeature::AverageGeodesicDistance;
   /** Deliver no dense map and no alternatives; sides, axis and sparse matches are there all the same. */
   bool sparse_only = false;
+  /** Whether points at the axis are labelled Side::Axis; if not, every point that took part is on one of the sides. */
+  bool label_axis = true;
   /** How many distinct reflections, and rotations beside them, the result lists at most, the best first, [1, 100]. */
   int alternatives = 1;
 

@@ -6,6 +6,7 @@
 #include <pcl/symmetry/export.h>
 #include <pcl/symmetry/surface.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -45,10 +46,24 @@ struct SymmetricMatch {
   float cost = 0.0F;
 };
 
-/** \brief An ordered line through points of the surface. */
+/** \brief A place on the symmetry axis curve, mostly between points of the surface. */
+struct AxisPoint {
+  Vector3 position{};       ///< in the unit and the place of the points
+  float arc_length = 0.0F;  ///< from the first place along the curve, in the unit of the points
+  Vector3 normal{};         ///< of the surface there, of unit length
+  Vector3 across{};         ///< perpendicular to normal and curve, of unit length, towards the source side
+  Index nearest = no_index; ///< point of the surface next to it
+};
+
+/** \brief An ordered line on the surface. */
 struct Polyline {
-  std::vector<Index> points; ///< consecutive points are neighbours; the first is not repeated at the end
-  bool closed = false;       ///< the last point is a neighbour of the first
+  /** Consecutive points are neighbours, but where a line is continued over a gap of a cloud; the first is not repeated
+   * at the end. */
+  std::vector<Index> points;
+  bool closed = false; ///< the last point is a neighbour of the first
+  /** The same line where it really runs: it crosses the edges between points. On a cloud through the surface that was
+   * solved for, which noise is smoothed away from. The first place is not repeated at the end. */
+  std::vector<AxisPoint> curve = {};
 };
 
 /** \brief What was read, used and left out. */
@@ -60,8 +75,11 @@ struct InputSummary {
   std::size_t non_finite = 0;       ///< points dropped since a coordinate is no finite number
   std::size_t outside_indices = 0;  ///< points that the caller's indices leave out
   std::size_t outliers = 0;         ///< points dropped as outliers
-  std::size_t other_components = 0; ///< points dropped since they lie outside the largest component
-  std::size_t components = 0;       ///< connected components among the finite points
+  std::size_t unused = 0;           ///< points of a mesh that no face uses: they are no surface
+  std::size_t other_components = 0; ///< points dropped since they belong to something else than what was mapped
+  std::size_t components = 0;       ///< connected components of the surface, before parts of one object were linked
+  std::size_t linked_parts = 0;     ///< components that were linked to one object; 0 where it is in one piece
+  std::size_t part_links = 0;       ///< edges that link them
   std::size_t bridges = 0;          ///< edges added between parts of a cloud
   std::size_t distrusted_edges = 0; ///< edges removed from a cloud's graph as shortcuts between parts in contact
   bool read_as_cloud = false;       ///< of a mesh: its faces told normals only, as holes or cracks run through it
@@ -77,6 +95,18 @@ struct MapSummary {
   float inverted_faces = 0.0F; ///< share of faces that the map does not turn over as a reflection does
   float torn_faces = 0.0F;     ///< share of faces with an edge whose length changes by 5 % of the diameter
   float isometry_error = 0.0F; ///< mean |d (p, q) - d (m (p), m (q))| over pairs of landmarks, share of the diameter
+};
+
+/** \brief The plane in which the reflection comes nearest to the map: what it is for a body in a symmetric pose.
+ *
+ * For places where the file has them: Surface::offset is included. */
+struct MirrorPlane {
+  std::array<double, 3> normal{}; ///< of unit length, towards the source side; zero where no point has a partner
+  double offset = 0.0;            ///< normal . p = offset for p in the plane, in the unit of the points
+  double rms = 0.0; ///< root mean square distance of the partners from the mirrored points: 0 is an exact mirror image
+  /** Rows of a rigid motion (a turn, and in the last column a shift) that brings the plane to x = 0 and the source side
+   * to where x is positive. */
+  std::array<std::array<double, 4>, 3> to_x{};
 };
 
 /** \brief A connected part of the surface that has no counterpart under the map. */
@@ -131,6 +161,7 @@ struct SymmetryResult {
   float diameter = 0.0F; ///< largest distance between landmarks, in the unit of the points
   InputSummary input;    ///< what was read, used and left out
   MapSummary map;        ///< properties of the dense map
+  MirrorPlane plane;     ///< best-fit mirror plane of the dense map; see its rms
   std::vector<std::pair<std::string, double>> seconds; ///< wall time per step, in order; steps do not overlap
 };
 

@@ -3,6 +3,7 @@
 #include "neighbour_search.h"
 #include "refuse_argument.h"
 #include "symmetry/pipeline.h"
+#include "symmetry/sides/mirror_plane.h"
 #include "symmetry/step_timer.h"
 
 #include <pcl/symmetry/impl/surface_estimation.h>
@@ -96,6 +97,9 @@ expandSelection(SymmetryResult& result, const Surface& surface, const std::vecto
   }
   for (Polyline& line : result.axis) {
     renumber(line.points, selection);
+    for (AxisPoint& point : line.curve) {
+      point.nearest = selection[point.nearest];
+    }
   }
   for (std::vector<AlternativeMap>* maps : {&result.alternatives, &result.rotations}) {
     for (AlternativeMap& map : *maps) {
@@ -142,12 +146,15 @@ detail::estimateSelected(const Surface& surface,
   const NeighbourSearch neighbours = neighbourSearch(search, parameters.threads);
   if (selection == nullptr) {
     checkGivenNormals(surface, parameters);
-    return runPipeline(surface, parameters, neighbours, timer);
+    SymmetryResult result = runPipeline(surface, parameters, neighbours, timer);
+    result.plane = movedPlane(result.plane, 1.0, surface.offset);
+    return result;
   }
   const Surface selected = selectPoints(surface, *selection);
   checkGivenNormals(selected, parameters);
   SymmetryResult result = runPipeline(selected, parameters, neighbours, timer);
   expandSelection(result, surface, *selection);
+  result.plane = movedPlane(result.plane, 1.0, surface.offset);
   return result;
 }
 

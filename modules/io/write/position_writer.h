@@ -20,15 +20,21 @@ needsDoubles(const Surface& surface)
   return surface.offset[0] != 0.0 || surface.offset[1] != 0.0 || surface.offset[2] != 0.0;
 }
 
-/** \brief Appends x y z of a point, with the offset added again. */
+/** \brief Appends x y z of a place, with the offset added again. */
 inline void
-appendPosition(std::string& bytes, const Surface& surface, std::size_t point)
+appendPosition(std::string& bytes, const Surface& surface, const Vector3& position)
 {
-  const Vector3& position = surface.points[point];
   if (!needsDoubles(surface))
     return appendBytes(bytes, position);
   for (std::size_t i = 0; i < 3; ++i)
     appendBytes(bytes, double{position[i]} + surface.offset[i]);
+}
+
+/** \brief Appends x y z of a point, with the offset added again. */
+inline void
+appendPosition(std::string& bytes, const Surface& surface, std::size_t point)
+{
+  appendPosition(bytes, surface, surface.points[point]);
 }
 
 /** \brief Properties x y z of a PLY header. */

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "geodesic/surface_graph.h"
+#include "symmetry/surface/prepared_surface.h"
 
 #include <pcl/symmetry/symmetry_result.h>
 
@@ -15,20 +15,17 @@ namespace symmetry {
 /** \brief Traces the line between the two sides.
  *
  * On a mesh that is the zero line of the side function through the triangles: it closes on itself or ends at a boundary
- * (or where more than two triangles share an edge). On a cloud it is the middle of the band of axis vertices. Every
- * vertex of a polyline is labelled Side::Axis, consecutive ones are neighbours in the graph, none comes twice. Parts
- * shorter than 5 % of the longest are left out. Cost O(n log n).
- * \param[in] graph of the surface
- * \param[in] triangles faces; empty for a cloud
+ * (or where more than two triangles share an edge). On a cloud it runs through the edges of the graph that cross from
+ * one side to the other, evenly spaced and smoothed, and is continued over gaps (line_joining.h). Consecutive points of a
+ * polyline are neighbours in the graph, but over such a gap. Parts shorter than 5 % of the longest are left
+ * out. Cost O(n log n).
+ * \param[in] surface its graph, its triangles unless it is a cloud, and its normals where it has any
  * \param[in] side_function as absorbSpecks () returns it: no value is zero
- * \param[in] sides the labels that belong to it
- * \return longest first; empty where there is only one side
+ * \param[in] is_out per point: not 0 where no line is wanted; may be empty
+ * \return in the unit of the prepared surface, longest first; empty where there is only one side
  */
 std::vector<Polyline>
-traceAxis(const SurfaceGraph& graph,
-          const std::vector<Triangle>& triangles,
-          const std::vector<float>& side_function,
-          const std::vector<Side>& sides);
+traceAxis(const PreparedSurface& surface, const std::vector<float>& side_function, const std::vector<char>& is_out);
 
 } // namespace symmetry
 } // namespace pcl

@@ -1,28 +1,34 @@
 /** \file
- * \brief Curves along the middle of a band of vertices, for surfaces without faces.
+ * \brief Zero lines of a function on a surface without faces.
  */
 #pragma once
 
 #include "geodesic/surface_graph.h"
-
-#include <pcl/symmetry/symmetry_result.h>
+#include "symmetry/sides/mesh_contour.h"
 
 #include <vector>
 
 namespace pcl {
 namespace symmetry {
 
-/** \brief Thins the axis band of a cloud to curves over its neighbour graph.
+/** \brief Lines through the places at which edges of a cloud's neighbour graph cross from one sign to the other.
  *
- * A curve is the shortest path between the two vertices of the band that are farthest from each other; if they stay
- * joined when a tube as wide as the band is cut out around that path, a second path closes it. What is then left of the
- * band outside the tube is searched again. Paths keep to where the side function is small.
+ * These places lie in a narrow band; those of edges that share a point, or that are near and next to each other, are
+ * linked. A line is the shortest path between the two
+ * places of the band that are farthest from each other; if they stay joined when a tube as wide as the band is cut out
+ * around that path, a second path closes it. What is then left of the band outside the tube is searched again. Paths
+ * keep to short edges: long ones may join parts that only touch.
  * \param[in] graph neighbour graph of the cloud
- * \param[in] side_function see absorbSpecks ()
- * \param[in] sides the band are the vertices labelled Side::Axis
+ * \param[in] points of the cloud
+ * \param[in] values one per point; zero counts as positive
+ * \return of consecutive crossings the edges share a point, or have ends that are neighbours
  */
-std::vector<Polyline>
-bandCurves(const SurfaceGraph& graph, const std::vector<float>& side_function, const std::vector<Side>& sides);
+std::vector<ZeroLine>
+cloudContours(const SurfaceGraph& graph, const std::vector<Vector3>& points, const std::vector<float>& values);
+
+/** \brief The place of a crossing. */
+Vector3
+placeOf(const ZeroCrossing& crossing, const std::vector<Vector3>& points);
 
 } // namespace symmetry
 } // namespace pcl

@@ -35,17 +35,42 @@ struct GrowthOfSidesSettings {
   float denied = 0.25F; ///< share of its way that a point counts with for the side that its sign denies
 };
 
-/** \brief Polylines of the axis, see axis_curve.h and curve_thinning.h.
+/** \brief The smooth side function, see axis_smoothing.h; chosen on generated bodies and scans. */
+struct AxisSmoothingSettings {
+  float edges = 1.0F;    ///< standard deviation of the flow in edges, at least: what points resolve
+  float share = 0.004F;  ///< and as a share of the longest side of the box
+  float reach = 4.0F;    ///< of the band around the axis, in deviations
+  int steps = 2;         ///< more come closer to a Gaussian, which is not needed
+  double thinnest = 1e3; ///< longest side of a triangle over its height, above which it is a sliver
+};
+
+/** \brief Polylines of the axis, see axis_curve.h, curve_thinning.h and curve_points.h.
  *
- * Radii are in half widths of the band, which is about the reach of a vertex's neighbours: a tube around a path that is
- * not quite in the middle has to cover the whole width, and the free ball around an end has to be larger than the tube.
+ * Radii are in mean lengths of the links between crossings of a cloud, about an edge of it. A tube around a path that is
+ * not quite in the middle has to cover the whole width of the band of crossings, which is less than an edge; the free
+ * ball around an end has to be larger than the tube.
  */
 struct AxisSettings {
-  double shortest_share = 0.05;    ///< of the longest line, below which one is left out
-  std::ptrdiff_t longest_loop = 8; ///< vertices of a loop that is straightened out
-  float tube_radius = 2.5F;        ///< above 2
-  float end_radius = 4.0F;         ///< above the radius of the tube
+  float shortest_share = 0.05F;    ///< of the longest line, below which one is left out
+  std::ptrdiff_t longest_loop = 8; ///< points of a loop that is straightened out
+  float tube_radius = 1.5F;        ///< above 1
+  float end_radius = 3.0F;         ///< above the radius of the tube
+  float link = 1.0F;               ///< between crossings that share no point, in lengths of their edges
   std::size_t maximum_curves = 32; ///< what is left by then are crumbs
+  float coincidence = 0.1F;        ///< of an edge, below which two crossings are one place
+  /** Taubin's two steps: what they let through undamped is longer than 30 places. */
+  float fairing = 0.5F;
+  float fairing_back = 0.51F;
+  int fairing_rounds = 6;
+};
+
+/** \brief Gaps in the lines of a cloud, see line_joining.h; chosen on clouds of generated bodies and scans. */
+struct LineJoiningSettings {
+  float widest = 0.15F;       ///< gap, as a share of the longest side of the box
+  float widest_share = 0.25F; ///< gap between the two ends of one line, as a share of its length
+  float least = 0.01F;        ///< gap that is none; added to the width of others, as their ends are not on the zero
+  float detour = 3.0F;        ///< length of the path over that width
+  float stray = 1.0F;         ///< way of a point on it to its partner, over that width
 };
 
 /** \brief Limbs, see limb_regions.h. */

@@ -33,12 +33,25 @@ sideFunction(const DistanceFields& source_fields, const DistanceFields& target_f
 std::vector<float>
 absorbSpecks(const SurfaceGraph& graph, const std::vector<float>& side_function);
 
-/** \brief Source or target by the sign of the side function, axis where the 1-ring (with the vertex itself) holds both.
- *
- * A zero counts as both.
+/** \brief Source or target by the sign of the side function.
+ * \param[in] side_function as absorbSpecks () returns it: no value is zero
  */
 std::vector<Side>
-labelSides(const SurfaceGraph& graph, const std::vector<float>& side_function);
+labelSides(const std::vector<float>& side_function);
+
+/** \brief Labels the points on the axis or next to it: a line one point wide, alike on both sides.
+ *
+ * Of every edge from one side to the other the end with the smaller value is on the axis. So are the partners of such
+ * points, and points whose partners are, as long as they have a neighbour on the other side.
+ * \param[in] side_function as absorbSpecks () returns it
+ * \param[in] partners one per point, -1 where there is none; may be empty
+ * \param[in,out] sides as labelSides () returns them
+ */
+void
+markAxis(const SurfaceGraph& graph,
+         const std::vector<float>& side_function,
+         const std::vector<Index>& partners,
+         std::vector<Side>& sides);
 
 } // namespace symmetry
 } // namespace pcl

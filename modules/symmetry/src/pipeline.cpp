@@ -7,6 +7,7 @@
 #include "symmetry/robust_method.h"
 #include "symmetry/sides/map_quality.h"
 #include "symmetry/staged/staged_method.h"
+#include "symmetry/surface/surface_preparation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +32,41 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
   return estimateRobust(prepared, parameters, settings, timer);
 }
 
+/** A cloud that is its own mirror image as it stands, whatever touches what; none where it is not. */
+std::optional<Interpretation>
+interpretAsItStands(const Surface& surface,
+                    const SymmetryParameters& parameters,
+                    const NeighbourSearch& search,
+                    StepTimer& timer)
+{
+  if (surface.hasFaces() || parameters.method == Method::Staged) {
+    return std::nullopt;
+  }
+  const RobustSettings settings;
+  PreparedSurface cloud = prepareAsItStands(surface, parameters, search);
+  if (cloud.size() < minimum_samples) {
+    return std::nullopt;
+  }
+  const std::vector<MirrorFit> planes = mirrorPlanesOf(cloud, settings.sampling.samples, settings.mirror);
+  if (planes.empty()) {
+    return std::nullopt;
+  }
+  const SampledSurface sampled = sampleSurface(cloud, settings.sampling, parameters.metric, parameters.threads, timer);
+  if (sampled.coarse.size() < minimum_samples) {
+    return std::nullopt;
+  }
+  timer.start("dense", 0.8);
+  MapEstimate estimate = estimateByMirror(sampled, planes, parameters, settings.mirror);
+  return Interpretation{std::move(cloud), std::move(estimate)};
+}
+
 /** A map of a small part of the input is at most that part right; says so where much was left out. */
 void
 boundByShareUsed(SymmetryResult& result)
 {
   constexpr float nearly_all = 0.9F;
   const InputSummary& input = result.input;
-  const std::size_t left_out = input.non_finite + input.outside_indices + input.outliers;
+  const std::size_t left_out = input.non_finite + input.outside_indices + input.outliers + input.unused;
   if (input.points <= left_out) {
     return;
   }
@@ -111,7 +140,7 @@ estimateInto(SymmetryResult& result,
   // Deliver: in numbers of the input's points; sides and the curve between them.
   result.map = measured;
   timer.start("axis", 0.9);
-  deliverResult(estimate, prepared, result);
+  deliverResult(estimate, prepared, parameters.label_axis, result);
 }
 
 } // namespace
@@ -124,10 +153,13 @@ interpretSurface(const Surface& surface,
                  InputSummary& summary,
                  const std::function<void(const Interpretation&)>& observer)
 {
+  timer.start("graph", 0.0);
+  if (std::optional<Interpretation> mirrored = interpretAsItStands(surface, parameters, search, timer)) {
+    return std::move(*mirrored);
+  }
   // Interpret: in one way after another until the result is settled; the ways vote.
   InterpretationPlan plan(surface, parameters, search);
   RivalInterpretations rivals(plan.pooling());
-  timer.start("graph", 0.0);
   while (std::optional<InterpretationPlan::Attempt> attempt = plan.next(rivals)) {
     // Prepare: points cleaned, graph built, at unit scale; done by the plan.
     summary = attempt->surface.summary;

@@ -2,9 +2,12 @@
 
 #include "symmetry/confidence/unsupported_parts.h"
 #include "symmetry/sides/axis_curve.h"
+#include "symmetry/sides/axis_smoothing.h"
+#include "symmetry/sides/mirror_plane.h"
 #include "symmetry/sides/sides.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace pcl {
@@ -15,7 +18,10 @@ namespace {
 class ToInput {
 public:
   explicit ToInput(const PreparedSurface& prepared)
-      : original_(prepared.original), representatives_(prepared.representatives)
+      : original_(prepared.original),
+        representatives_(prepared.representatives),
+        scale_(prepared.scale),
+        centre_(prepared.centre)
   {
   }
 
@@ -55,39 +61,24 @@ public:
     return points;
   }
 
+  /** A place of the prepared surface in the unit of the input. */
+  Vector3
+  place(Vector3 p) const
+  {
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      p[k] = static_cast<float>(centre_[k] + p[k] / scale_);
+    }
+    return p;
+  }
+
 private:
   const std::vector<Index>& original_;
   const std::vector<Index>& representatives_;
+  double scale_;
+  const std::array<double, 3>& centre_;
 };
 
-/** Appends the stretches of a line that are not left out. */
-void
-appendSupported(const Polyline& line, const std::vector<char>& is_out, std::vector<Polyline>& to)
-{
-  if (std::none_of(line.points.begin(), line.points.end(), [&](Index v) { return is_out[v] != 0; })) {
-    to.push_back(line);
-    return;
-  }
-  Polyline stretch;
-  const auto finish = [&] {
-    if (stretch.points.size() > 1) {
-      to.push_back(stretch);
-    }
-    stretch.points.clear();
-  };
-  for (const Index v : line.points) {
-    if (is_out[v] != 0) {
-      finish();
-    }
-    else {
-      stretch.points.push_back(v);
-    }
-  }
-  finish();
-}
-
-/** Names the parts without a counterpart in numbers and units of the input; they are on no side, and no curve runs
- * through them. */
+/** Names the parts without a counterpart in numbers and units of the input; they are on no side. */
 void
 deliverUnsupported(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
 {
@@ -101,12 +92,12 @@ deliverUnsupported(const MapEstimate& estimate, const PreparedSurface& prepared,
   to_input.scatter(estimate.is_unsupported, is_out);
   for (std::size_t v = 0; v < is_out.size(); ++v) {
     result.sides[v] = is_out[v] != 0 ? Side::None : result.sides[v];
+    // A place between points is told of the nearest of them, which may be left out.
+    if (result.partners[v] != no_index && is_out[result.partners[v]] != 0) {
+      result.partners[v] = no_index;
+      result.confidences[v] = 0.0F;
+    }
   }
-  std::vector<Polyline> kept;
-  for (const Polyline& line : result.axis) {
-    appendSupported(line, is_out, kept);
-  }
-  result.axis = std::move(kept);
   result.map.axis = static_cast<std::size_t>(std::count(result.sides.begin(), result.sides.end(), Side::Axis));
 }
 
@@ -138,17 +129,30 @@ deliverMap(const MapEstimate& estimate, const PreparedSurface& prepared, Symmetr
 }
 
 void
-deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
+deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, bool label_axis, SymmetryResult& result)
 {
   const ToInput to_input(prepared);
-  const std::vector<float> side_function = absorbSpecks(prepared.graph, estimate.side_function);
-  const std::vector<Side> sides = labelSides(prepared.graph, side_function);
+  const std::vector<float> side_function =
+      absorbSpecks(prepared.graph, smoothedNearAxis(prepared, absorbSpecks(prepared.graph, estimate.side_function)));
+  std::vector<Side> sides = labelSides(side_function);
+  if (!estimate.partners.empty()) {
+    result.plane =
+        movedPlane(fitMirrorPlane(prepared.points, estimate.partners, sides), 1.0 / prepared.scale, prepared.centre);
+  }
+  if (label_axis) {
+    markAxis(prepared.graph, side_function, estimate.partners, sides);
+  }
   to_input.scatter(sides, result.sides);
-  // The triangles of a cloud are no manifold to trace a line through; its graph will do.
-  const std::vector<Triangle> faces = prepared.is_cloud ? std::vector<Triangle>{} : prepared.triangles;
-  for (Polyline& line : traceAxis(prepared.graph, faces, side_function, sides)) {
+  const bool is_partial = estimate.status == SymmetryStatus::PartlySymmetric;
+  result.axis = traceAxis(prepared, side_function, is_partial ? estimate.is_unsupported : std::vector<char>{});
+  for (Polyline& line : result.axis) {
     line.points = to_input.renumbered(std::move(line.points));
-    result.axis.push_back(std::move(line));
+    line.points.erase(std::unique(line.points.begin(), line.points.end()), line.points.end());
+    for (AxisPoint& point : line.curve) {
+      point.position = to_input.place(point.position);
+      point.arc_length /= prepared.scale;
+      point.nearest = to_input(point.nearest);
+    }
   }
   result.map.axis = static_cast<std::size_t>(std::count(result.sides.begin(), result.sides.end(), Side::Axis));
 }
@@ -195,12 +199,12 @@ leaveOutUnsupported(MapEstimate& estimate)
 }
 
 void
-deliverResult(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
+deliverResult(const MapEstimate& estimate, const PreparedSurface& prepared, bool label_axis, SymmetryResult& result)
 {
   deliverMap(estimate, prepared, result);
   result.map.matched = static_cast<std::size_t>(
       std::count_if(result.partners.begin(), result.partners.end(), [](Index partner) { return partner != no_index; }));
-  deliverSides(estimate, prepared, result);
+  deliverSides(estimate, prepared, label_axis, result);
   if (estimate.status == SymmetryStatus::PartlySymmetric) {
     deliverUnsupported(estimate, prepared, result);
   }

@@ -65,7 +65,7 @@ sphereSymmetry(const Surface& sphere)
   result.confidences.assign(sphere.size(), 1.0F);
   result.support.assign(sphere.size(), 1.0F);
   result.regions.assign(sphere.size(), Region::None);
-  Polyline axis;
+  std::vector<Index> axis;
   for (std::size_t i = 0; i < sphere.size(); ++i) {
     Index partner = no_index;
     for (std::size_t j = 0; j < sphere.size(); ++j)
@@ -75,15 +75,14 @@ sphereSymmetry(const Surface& sphere)
     const float x = sphere.points[i][0];
     result.sides.push_back(x < 0.0F ? Side::Source : x > 0.0F ? Side::Target : Side::Axis);
     if (x == 0.0F)
-      axis.points.push_back(static_cast<Index>(i));
+      axis.push_back(static_cast<Index>(i));
   }
-  std::sort(axis.points.begin(), axis.points.end(), [&](Index a, Index b) {
+  std::sort(axis.begin(), axis.end(), [&](Index a, Index b) {
     const Vector3& p = sphere.points[static_cast<std::size_t>(a)];
     const Vector3& q = sphere.points[static_cast<std::size_t>(b)];
     return std::atan2(p[1], p[2]) < std::atan2(q[1], q[2]);
   });
-  axis.closed = true;
-  result.axis = {axis};
+  result.axis = {lineThrough(sphere, axis, true)};
   return result;
 }
 

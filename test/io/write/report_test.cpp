@@ -60,6 +60,23 @@ TEST_F(Report, StepsAreInOrderAndSumUpToTheTotal)
   EXPECT_NEAR(sum, 0.6, 1e-5);
 }
 
+TEST_F(Report, HasTheMirrorPlaneWhereThereIsOne)
+{
+  SymmetryResult result = roofSymmetry();
+  writeReport(path("report.json"), "a.ply", {}, result);
+  EXPECT_FALSE(Json::parse(read(path("report.json"))).contains("mirror_plane"));
+  result.plane.normal = {0.0, 1.0, 0.0};
+  result.plane.offset = 2.5;
+  result.plane.rms = 0.25;
+  result.plane.to_x = {{{0, 1, 0, -2.5}, {-1, 0, 0, 0}, {0, 0, 1, 0}}};
+  writeReport(path("report.json"), "a.ply", {}, result);
+  const Json expected = {{"normal", {0.0, 1.0, 0.0}},
+                         {"offset", 2.5},
+                         {"rms", 0.25},
+                         {"to_x", {{0.0, 1.0, 0.0, -2.5}, {-1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 1.0, 0.0}}}};
+  EXPECT_EQ(Json::parse(read(path("report.json"))).at("mirror_plane"), expected);
+}
+
 TEST_F(Report, NamesAllParameters)
 {
   SymmetryParameters parameters;
@@ -68,14 +85,15 @@ TEST_F(Report, NamesAllParameters)
   parameters.normals = NormalSource::Given;
   parameters.pairing = PairingFeature::BySurfaceSize;
   parameters.radius = 0.1F;
+  parameters.label_axis = false;
   parameters.threads = 2;
   writeReport(path("report.json"), "a.ply", parameters, roofSymmetry());
   const Json written = Json::parse(read(path("report.json"))).at("parameters");
   const Json expected = {{"method", "staged"}, {"metric", "euclidean"}, {"k_search", 10},
                          {"radius", 0.1},      {"normals", "given"},    {"outlier_deviations", 0.0},
                          {"landmarks", 100},   {"samples", 0},          {"embedding_dimensions", 3},
-                         {"pairing", "size"},  {"sparse_only", false},  {"alternatives", 1},
-                         {"threads", 2}};
+                         {"pairing", "size"},  {"sparse_only", false},  {"label_axis", false},
+                         {"alternatives", 1},  {"threads", 2}};
   EXPECT_EQ(written, expected);
 }
 

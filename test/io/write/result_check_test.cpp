@@ -59,7 +59,7 @@ TEST(ResultCheck, IndicesAreThoseOfPoints)
   EXPECT_EQ(complaint([](SymmetryResult& r) { r.matches[0].target = 6; }), "the result has target 6 for 6 points");
   EXPECT_EQ(complaint([](SymmetryResult& r) { r.matches[1].midpoint = 9; }), "the result has midpoint 9 for 6 points");
   EXPECT_EQ(complaint([](SymmetryResult& r) {
-              r.axis.push_back({{no_index}, false});
+              r.axis.push_back({{no_index}, false, {}});
             }),
             "the result has axis point -1 for 6 points");
 }

@@ -129,7 +129,7 @@ TEST_F(Writers, Tables)
 TEST_F(Writers, AxisHasPointsInOrderAndEdges)
 {
   SymmetryResult result = roofSymmetry();
-  result.axis = {Polyline{{3, 2, 0, 1}, true}, Polyline{{5, 4}, false}};
+  result.axis = {lineThrough(roof(), {3, 2, 0, 1}, true), lineThrough(roof(), {5, 4}, false)};
   writeAxis(path("axis.ply"), roof(), result);
   const std::string ply = read(path("axis.ply"));
   EXPECT_NE(ply.find("element vertex 6\n"), std::string::npos);
@@ -147,6 +147,24 @@ TEST_F(Writers, AxisHasPointsInOrderAndEdges)
     for (std::size_t i = 0; i < 6; ++i)
       EXPECT_EQ(again.points[i], roof().points[order[i]]);
   }
+}
+
+TEST_F(Writers, AxisHasDirectionsAndLengths)
+{
+  writeAxis(path("axis.ply"), roof(), roofSymmetry());
+  const Surface again = readSurface(path("axis.ply"));
+  ASSERT_EQ(again.normals.size(), 2U);
+  EXPECT_EQ(again.normals[0], (Vector3{0.0F, 0.0F, 1.0F}));
+  PointCloud<PointNormal> cloud;
+  writeAxis(path("axis.pcd"), roof(), roofSymmetry());
+  ASSERT_EQ(io::loadPCDFile(path("axis.pcd"), cloud), 0);
+  EXPECT_EQ(cloud[1].normal_z, 1.0F);
+
+  writeAxis(path("axis.csv"), roof(), roofSymmetry());
+  EXPECT_EQ(read(path("axis.csv")),
+            "curve,x,y,z,normal_x,normal_y,normal_z,across_x,across_y,across_z,arc_length,index,closed\n"
+            "0,0,0,0.5,0,0,1,-1,0,0,0,2,0\n"
+            "0,0,3,0.5,0,0,1,-1,0,0,0.5,3,0\n");
 }
 
 TEST_F(Writers, AnEmptyAxisIsAFileWithoutPoints)

@@ -114,15 +114,39 @@ TEST(AbsorbSpecks, LeavesNoZero)
   EXPECT_LT(side[5], 0.0F);
 }
 
-TEST(LabelSides, MarksTheAxisWhereARingHoldsBothSides)
+TEST(LabelSides, GoesByTheSign)
 {
-  const std::vector<Side> sides = labelSides(chain(6), {0.5F, 0.1F, 0.1F, -0.1F, -0.2F, -1.0F});
+  EXPECT_EQ(labelSides({0.5F, -0.1F, 0.1F}), (std::vector<Side>{Side::Source, Side::Target, Side::Source}));
+}
+
+TEST(MarkAxis, MarksTheNearerEndWhereTheSignChanges)
+{
+  const std::vector<float> values{0.5F, 0.3F, 0.1F, -0.2F, -0.3F, -1.0F};
+  std::vector<Side> sides = labelSides(values);
+  markAxis(chain(6), values, {}, sides);
+  EXPECT_EQ(sides,
+            (std::vector<Side>{Side::Source, Side::Source, Side::Axis, Side::Target, Side::Target, Side::Target}));
+}
+
+TEST(MarkAxis, MarksPartnersTogether)
+{
+  const std::vector<float> values{0.5F, 0.3F, 0.1F, -0.2F, -0.3F, -1.0F};
+  std::vector<Side> sides = labelSides(values);
+  markAxis(chain(6), values, {5, 4, 3, 2, 1, 0}, sides);
   EXPECT_EQ(sides, (std::vector<Side>{Side::Source, Side::Source, Side::Axis, Side::Axis, Side::Target, Side::Target}));
 }
 
-TEST(LabelSides, KnowsOneSideOnlyAndZeros)
+TEST(MarkAxis, MarksNoneWhosePartnerIsFarther)
 {
-  EXPECT_EQ(labelSides(chain(2), {1.0F, 2.0F}), (std::vector<Side>{Side::Source, Side::Source}));
-  EXPECT_EQ(labelSides(chain(4), {1.0F, 1.0F, 0.0F, -1.0F}),
-            (std::vector<Side>{Side::Source, Side::Axis, Side::Axis, Side::Axis}));
+  const std::vector<float> values{0.5F, 0.3F, 0.1F, -0.2F, -0.3F, -1.0F};
+  std::vector<Side> sides = labelSides(values);
+  markAxis(chain(6), values, {5, 4, 4, 1, 1, 0}, sides);
+  EXPECT_EQ(sides, labelSides(values));
+}
+
+TEST(MarkAxis, KnowsOneSideOnly)
+{
+  std::vector<Side> sides = labelSides({1.0F, 2.0F});
+  markAxis(chain(2), {1.0F, 2.0F}, {1, 0}, sides);
+  EXPECT_EQ(sides, (std::vector<Side>{Side::Source, Side::Source}));
 }

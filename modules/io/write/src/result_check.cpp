@@ -69,9 +69,12 @@ checkResult(const SymmetryResult& result, std::size_t points)
     checkIndex("target", match.target, 0, points);
     checkIndex("midpoint", match.midpoint, no_index, points);
   }
-  for (const Polyline& line : result.axis)
+  for (const Polyline& line : result.axis) {
     for (const Index index : line.points)
       checkIndex("axis point", index, 0, points);
+    for (const AxisPoint& point : line.curve)
+      checkIndex("axis point", point.nearest, 0, points);
+  }
 }
 
 } // namespace symmetry

@@ -211,16 +211,16 @@ void
 drawAxis(const Drawing& drawing, const Projection& projection, float lift, Rasterizer& canvas)
 {
   const Opacity opacity = {1.0F, 0.0F};
-  const auto place = [&](Index index) {
-    ScreenPoint point = projection.project(drawing.surface.points[static_cast<std::size_t>(index)]);
+  const auto place = [&](const AxisPoint& axis_point) {
+    ScreenPoint point = projection.project(axis_point.position);
     point.depth += lift; // the line lies in the surface, and should not sink into it
     return point;
   };
   for (const Polyline& line : drawing.result.axis) {
-    const std::size_t count = line.points.size();
+    const std::size_t count = line.curve.size();
     const std::size_t segments = line.closed ? count : std::max<std::size_t>(count, 1) - 1;
     for (std::size_t i = 0; i < segments; ++i)
-      canvas.blendSegment(place(line.points[i]), place(line.points[(i + 1) % count]), axis_radius * supersampling,
+      canvas.blendSegment(place(line.curve[i]), place(line.curve[(i + 1) % count]), axis_radius * supersampling,
                           colourOf(Side::Axis), opacity);
   }
 }

@@ -42,8 +42,11 @@ describeInput(const std::string& file, const InputSummary& input)
           {"non_finite", input.non_finite},
           {"outside_indices", input.outside_indices},
           {"outliers", input.outliers},
+          {"unused", input.unused},
           {"other_components", input.other_components},
           {"components", input.components},
+          {"linked_parts", input.linked_parts},
+          {"part_links", input.part_links},
           {"bridges", input.bridges},
           {"distrusted_edges", input.distrusted_edges},
           {"read_as_cloud", input.read_as_cloud},
@@ -61,6 +64,12 @@ describeMap(const SymmetryResult& result)
           {"inverted_faces", toJson(result.map.inverted_faces)},
           {"torn_faces", toJson(result.map.torn_faces)},
           {"isometry_error", toJson(result.map.isometry_error)}};
+}
+
+Json
+describePlane(const MirrorPlane& plane)
+{
+  return {{"normal", plane.normal}, {"offset", plane.offset}, {"rms", plane.rms}, {"to_x", plane.to_x}};
 }
 
 Json
@@ -100,6 +109,7 @@ describeParameters(const SymmetryParameters& parameters)
           {"embedding_dimensions", parameters.embedding_dimensions},
           {"pairing", nameOf(pairing_names, parameters.pairing)},
           {"sparse_only", parameters.sparse_only},
+          {"label_axis", parameters.label_axis},
           {"alternatives", parameters.alternatives},
           {"threads", parameters.threads}};
 }
@@ -156,6 +166,8 @@ writeReport(const std::string& path,
                  {"input", describeInput(input_file, result.input)},
                  {"map", describeMap(result)},
                  {"matches", result.matches.size()}};
+  if (result.plane.normal != MirrorPlane{}.normal)
+    report["mirror_plane"] = describePlane(result.plane);
   if (!result.unsupported.empty())
     report["unsupported"] = describeUnsupported(result.unsupported);
   if (result.alternatives.size() > 1) {

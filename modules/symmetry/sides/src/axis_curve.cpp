@@ -1,6 +1,8 @@
 #include "symmetry/sides/axis_curve.h"
 
+#include "symmetry/sides/curve_points.h"
 #include "symmetry/sides/curve_thinning.h"
+#include "symmetry/sides/line_joining.h"
 #include "symmetry/sides/mesh_contour.h"
 #include "symmetry/sides/side_settings.h"
 
@@ -12,6 +14,43 @@ namespace symmetry {
 namespace {
 
 constexpr AxisSettings settings{};
+
+/** Appends the nearer end of a crossed edge, over ends of both edges where it is no neighbour of that before. */
+void
+appendEnd(const SurfaceGraph& graph,
+          const ZeroCrossing& before,
+          const ZeroCrossing& crossing,
+          std::vector<Index>& points)
+{
+  const Index next = crossing.nearerEnd();
+  const auto are_joined = [&](Index a, Index b) {
+    return a == b || areNeighbours(graph, a, b);
+  };
+  const Index last = points.back();
+  for (const Index leave : {last, before.from, before.to}) {
+    for (const Index enter : {next, crossing.from, crossing.to}) {
+      if (are_joined(leave, enter)) {
+        points.insert(points.end(), {leave, enter, next}); // repetitions are taken out below
+        return;
+      }
+    }
+  }
+  points.push_back(next); // over a gap
+}
+
+/** Points along a line, with repetitions. */
+std::vector<Index>
+pointsAlong(const SurfaceGraph& graph, const ZeroLine& line)
+{
+  std::vector<Index> points{line.crossings.front().nearerEnd()};
+  for (std::size_t i = 1; i < line.crossings.size(); ++i) {
+    appendEnd(graph, line.crossings[i - 1], line.crossings[i], points);
+  }
+  if (line.closed) {
+    appendEnd(graph, line.crossings.back(), line.crossings.front(), points);
+  }
+  return points;
+}
 
 /** Takes out repetitions, spikes, small loops and detours around a single vertex. */
 void
@@ -42,36 +81,58 @@ straighten(const SurfaceGraph& graph, Polyline& line)
       break;
     }
   }
-  line.closed = line.closed && points.size() > 2;
   line.points.swap(points);
 }
 
-double
-length(const SurfaceGraph& graph, const Polyline& line)
+/** The stretches of lines that are not left out. */
+std::vector<ZeroLine>
+withoutParts(const std::vector<ZeroLine>& lines, const std::vector<char>& is_out)
 {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < line.points.size(); ++i) {
-    sum += edgeLength(graph, line.points[i - 1], line.points[i]);
+  std::vector<ZeroLine> kept;
+  const auto left_out = [&](const ZeroCrossing& crossing) {
+    return is_out[crossing.nearerEnd()] != 0;
+  };
+  for (const ZeroLine& line : lines) {
+    if (std::none_of(line.crossings.begin(), line.crossings.end(), left_out)) {
+      kept.push_back(line);
+      continue;
+    }
+    // One that is closed starts behind a part that is left out, so that no stretch is cut in two.
+    std::vector<ZeroCrossing> crossings = line.crossings;
+    if (line.closed) {
+      std::rotate(crossings.begin(), std::find_if(crossings.begin(), crossings.end(), left_out), crossings.end());
+    }
+    bool started = false;
+    for (const ZeroCrossing& crossing : crossings) {
+      if (left_out(crossing)) {
+        started = false;
+        continue;
+      }
+      if (!started) {
+        kept.push_back({});
+        started = true;
+      }
+      kept.back().crossings.push_back(crossing);
+    }
   }
-  return line.closed ? sum + edgeLength(graph, line.points.back(), line.points.front()) : sum;
+  return kept;
 }
 
 /** Longest first, without the short ones. */
-std::vector<Polyline>
-longestFirst(const SurfaceGraph& graph, std::vector<Polyline>& lines)
+std::vector<ZeroLine>
+longestFirst(std::vector<ZeroLine> lines, const std::vector<Vector3>& points)
 {
-  std::vector<double> lengths;
+  std::vector<float> lengths;
   lengths.reserve(lines.size());
-  for (const Polyline& line : lines) {
-    lengths.push_back(length(graph, line));
+  for (const ZeroLine& line : lines) {
+    lengths.push_back(lengthOf(line, points));
   }
   std::vector<std::size_t> order(lines.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&lengths](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
-  std::vector<Polyline> sorted;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
+  std::vector<ZeroLine> sorted;
   for (const std::size_t i : order) {
-    if (lines[i].points.size() > 1 && lengths[i] >= settings.shortest_share * lengths[order.front()]) {
+    if (lines[i].crossings.size() > 1 && lengths[i] >= settings.shortest_share * lengths[order.front()]) {
       sorted.push_back(std::move(lines[i]));
     }
   }
@@ -81,17 +142,25 @@ longestFirst(const SurfaceGraph& graph, std::vector<Polyline>& lines)
 } // namespace
 
 std::vector<Polyline>
-traceAxis(const SurfaceGraph& graph,
-          const std::vector<Triangle>& triangles,
-          const std::vector<float>& side_function,
-          const std::vector<Side>& sides)
+traceAxis(const PreparedSurface& surface, const std::vector<float>& side_function, const std::vector<char>& is_out)
 {
-  std::vector<Polyline> lines =
-      triangles.empty() ? bandCurves(graph, side_function, sides) : zeroContours(triangles, side_function);
-  for (Polyline& line : lines) {
-    straighten(graph, line);
+  std::vector<ZeroLine> zero_lines = surface.is_cloud ? cloudContours(surface.graph, surface.points, side_function)
+                                                      : zeroContours(surface.triangles, side_function);
+  zero_lines = longestFirst(std::move(zero_lines), surface.points);
+  if (surface.is_cloud) {
+    zero_lines = longestFirst(joinedLines(surface, side_function, std::move(zero_lines)), surface.points);
   }
-  return longestFirst(graph, lines);
+  if (!is_out.empty()) {
+    zero_lines = longestFirst(withoutParts(zero_lines, is_out), surface.points);
+  }
+  std::vector<Polyline> lines;
+  for (const ZeroLine& zero_line : zero_lines) {
+    Polyline line{pointsAlong(surface.graph, zero_line), zero_line.closed,
+                  curvePoints(surface, side_function, zero_line)};
+    straighten(surface.graph, line);
+    lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 } // namespace symmetry

@@ -1,11 +1,13 @@
 #include "symmetry/sides/curve_thinning.h"
 
 #include "base/renumbering.h"
+#include "base/vector_math.h"
 #include "geodesic/shortest_paths.h"
 #include "symmetry/sides/side_settings.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace pcl {
 namespace symmetry {
@@ -55,26 +57,18 @@ farthest(const std::vector<float>& field)
   return best;
 }
 
-/** Mean length of the longest edge of each vertex. */
 float
-meanReach(const SurfaceGraph& graph)
+meanEdgeLength(const SurfaceGraph& graph)
 {
-  double sum = 0.0;
-  for (std::size_t v = 0; v < graph.size(); ++v) {
-    float longest = 0.0F;
-    for (const auto [w, length] : graph.edges(v)) {
-      longest = std::max(longest, length);
-    }
-    sum += longest;
-  }
-  return static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(graph.size(), 1)));
+  const double sum = std::accumulate(graph.lengths.begin(), graph.lengths.end(), 0.0);
+  return static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(graph.lengths.size(), 1)));
 }
 
-/** Takes curves out of a band, one at a time. */
+/** Takes curves out of a band of vertices, one at a time. */
 class BandThinner {
 public:
   BandThinner(const SurfaceGraph& graph, const std::vector<Index>& band, const std::vector<float>& factor)
-      : graph_(graph), factor_(factor), rest_(band), reach_(meanReach(subgraph(graph, band, {}).graph))
+      : graph_(graph), factor_(factor), rest_(band), reach_(meanEdgeLength(graph))
   {
   }
 
@@ -84,7 +78,8 @@ public:
     return rest_.empty();
   }
 
-  Polyline
+  /** Numbers of vertices of the graph in order, and whether the last is joined to the first. */
+  std::pair<std::vector<Index>, bool>
   next()
   {
     // The largest connected part of what is left.
@@ -102,14 +97,11 @@ public:
     const Index p = farthest(distanceField(plain.graph, 0));
     const std::vector<float> from_p = distanceField(plain.graph, p);
     const Index q = farthest(from_p);
-    Polyline curve;
     std::vector<Index> path = shortestPath(weighted.graph, p, q);
     const std::vector<Index> back = wayBack(part, plain.graph, path, from_p);
-    curve.closed = !back.empty();
     path.insert(path.end(), back.begin(), back.end());
-    curve.points = renumbered(path, part);
     removeTube(part, distanceField(plain.graph, path));
-    return curve;
+    return {renumbered(path, part), !back.empty()};
   }
 
 private:
@@ -176,29 +168,117 @@ private:
   float reach_;
 };
 
-} // namespace
-
-std::vector<Polyline>
-bandCurves(const SurfaceGraph& graph, const std::vector<float>& side_function, const std::vector<Side>& sides)
+/** Crossings of all edges that lead from one sign to the other, those of each point one after another. */
+std::vector<ZeroCrossing>
+findCrossings(const SurfaceGraph& graph, const std::vector<float>& values)
 {
-  std::vector<Index> band;
-  float largest = 0.0F;
+  std::vector<ZeroCrossing> crossings;
   for (std::size_t v = 0; v < graph.size(); ++v) {
-    if (sides[v] == Side::Axis) {
-      band.push_back(static_cast<Index>(v));
-      largest = std::max(largest, std::abs(side_function[v]));
+    for (const Index w : graph.neighboursOf(v)) {
+      if (values[v] >= 0.0F && values[w] < 0.0F) {
+        crossings.push_back(crossingBetween(static_cast<Index>(v), w, values));
+      }
     }
   }
-  std::vector<float> factor(graph.size(), 0.0F);
-  for (const Index v : band) {
-    factor[v] = largest > 0.0F ? std::abs(side_function[v]) / largest : 0.0F;
+  return crossings;
+}
+
+/** Links crossings that share a point or, where they are near, of which one has a neighbour of the other. */
+class CrossingLinks {
+public:
+  CrossingLinks(const SurfaceGraph& graph,
+                const std::vector<ZeroCrossing>& crossings,
+                const std::vector<Vector3>& points)
+      : at_point_(graph.size())
+  {
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      at_point_[crossings[i].from].push_back(static_cast<Index>(i));
+      at_point_[crossings[i].to].push_back(static_cast<Index>(i));
+      places_.push_back(placeOf(crossings[i], points));
+      lengths_.push_back(distance(points[crossings[i].from], points[crossings[i].to]));
+    }
+    for (std::size_t v = 0; v < graph.size(); ++v) {
+      link(static_cast<Index>(v), static_cast<Index>(v), unreachable);
+      for (const Index w : graph.neighboursOf(v)) {
+        if (static_cast<Index>(v) < w) {
+          link(static_cast<Index>(v), w, settings.link);
+        }
+      }
+    }
   }
-  BandThinner thinner(graph, band, factor);
-  std::vector<Polyline> curves;
-  while (!thinner.done() && curves.size() < settings.maximum_curves) {
-    curves.push_back(thinner.next());
+
+  SurfaceGraph
+  graph() const
+  {
+    return buildGraph(places_.size(), links_);
   }
-  return curves;
+
+private:
+  /** The crossings of one point with those of another, as far apart as a share of their mean length at most. */
+  void
+  link(Index v, Index w, float share)
+  {
+    for (const Index i : at_point_[v]) {
+      for (const Index j : at_point_[w]) {
+        const float apart = distance(places_[i], places_[j]);
+        if (i != j && apart <= share * 0.5F * (lengths_[i] + lengths_[j])) {
+          links_.push_back({i, j, apart});
+        }
+      }
+    }
+  }
+
+  std::vector<std::vector<Index>> at_point_;
+  std::vector<Vector3> places_;
+  std::vector<float> lengths_;
+  std::vector<GraphEdge> links_;
+};
+
+/** By how much longer a path through each crossing counts: by the square of the length of its edge, in mean ones. */
+std::vector<float>
+lengthPenalties(const std::vector<ZeroCrossing>& crossings, const std::vector<Vector3>& points)
+{
+  std::vector<float> squares;
+  double sum = 0.0;
+  for (const ZeroCrossing& crossing : crossings) {
+    const float length = distance(points[crossing.from], points[crossing.to]);
+    squares.push_back(length * length);
+    sum += length;
+  }
+  const float mean = static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(crossings.size(), 1)));
+  for (float& square : squares) {
+    square = mean > 0.0F ? square / (mean * mean) : 0.0F;
+  }
+  return squares;
+}
+
+} // namespace
+
+Vector3
+placeOf(const ZeroCrossing& crossing, const std::vector<Vector3>& points)
+{
+  const Vector3& from = points[crossing.from];
+  return from + crossing.share * (points[crossing.to] - from);
+}
+
+std::vector<ZeroLine>
+cloudContours(const SurfaceGraph& graph, const std::vector<Vector3>& points, const std::vector<float>& values)
+{
+  const std::vector<ZeroCrossing> crossings = findCrossings(graph, values);
+  const SurfaceGraph links = CrossingLinks(graph, crossings, points).graph();
+  const std::vector<float> penalties = lengthPenalties(crossings, points);
+  std::vector<Index> all(crossings.size());
+  std::iota(all.begin(), all.end(), 0);
+  BandThinner thinner(links, all, penalties);
+  std::vector<ZeroLine> lines;
+  while (!thinner.done() && lines.size() < settings.maximum_curves) {
+    const auto [path, closed] = thinner.next();
+    lines.push_back({{}, closed});
+    for (const Index i : path) {
+      lines.back().crossings.push_back(crossings[i]);
+    }
+  }
+  return lines;
 }
 
 } // namespace symmetry

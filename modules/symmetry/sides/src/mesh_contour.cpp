@@ -7,7 +7,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-/** One passage of the line through a triangle: it enters and leaves through these two edges. */
+/** One passage of a line through a triangle: it enters and leaves through these two edges. */
 struct Crossing {
   std::array<std::size_t, 2> edges;
 };
@@ -68,11 +68,11 @@ public:
     return walked_[crossing];
   }
 
-  Polyline
+  ZeroLine
   walk(std::size_t start_edge, std::size_t crossing)
   {
-    Polyline line;
-    line.points.push_back(nearerEnd(start_edge));
+    ZeroLine line;
+    line.crossings.push_back(crossingOf(start_edge));
     std::size_t edge = start_edge;
     while (true) {
       walked_[crossing] = true;
@@ -82,7 +82,7 @@ public:
         line.closed = true;
         return line;
       }
-      line.points.push_back(nearerEnd(edge));
+      line.crossings.push_back(crossingOf(edge));
       const std::vector<std::size_t>& ways = contours_.crossings_of[edge];
       if (ways.size() != 2) {
         return line; // boundary, or an edge that more than two triangles share
@@ -95,11 +95,11 @@ public:
   }
 
 private:
-  Index
-  nearerEnd(std::size_t edge) const
+  ZeroCrossing
+  crossingOf(std::size_t edge) const
   {
     const auto [a, b] = contours_.edges[edge];
-    return std::abs(values_[b]) < std::abs(values_[a]) ? b : a;
+    return crossingBetween(a, b, values_);
   }
 
   const ContourGraph& contours_;
@@ -109,12 +109,19 @@ private:
 
 } // namespace
 
-std::vector<Polyline>
+ZeroCrossing
+crossingBetween(Index a, Index b, const std::vector<float>& values)
+{
+  const float sum = std::abs(values[a]) + std::abs(values[b]);
+  return {a, b, sum > 0.0F ? std::abs(values[a]) / sum : 0.5F};
+}
+
+std::vector<ZeroLine>
 zeroContours(const std::vector<Triangle>& triangles, const std::vector<float>& values)
 {
   const ContourGraph contours = findCrossings(triangles, values);
   ContourWalk walk(contours, values);
-  std::vector<Polyline> lines;
+  std::vector<ZeroLine> lines;
   // Lines with ends first, from their ends; what is left then are closed ones.
   for (std::size_t edge = 0; edge < contours.edges.size(); ++edge) {
     if (contours.crossings_of[edge].size() != 2) {

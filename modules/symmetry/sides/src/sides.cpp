@@ -99,6 +99,35 @@ specksOfOneSign(const Patches& patches, std::size_t vertices)
   return specks;
 }
 
+/** Marks partners together: first both where they may be, then neither where one may not. */
+void
+makeAlike(const std::vector<Index>& partners, const std::vector<char>& may_be, std::vector<char>& marks)
+{
+  // Each round reaches one map farther; a map that is nearly its own inverse is through after two.
+  const auto sweep = [&](auto change) {
+    bool changed = true;
+    for (int round = 0; changed && round < settings.maximum_rounds; ++round) {
+      changed = false;
+      for (std::size_t v = 0; v < partners.size(); ++v) {
+        changed = (partners[v] != no_index && marks[v] != marks[partners[v]] && change(v, partners[v])) || changed;
+      }
+    }
+  };
+  sweep([&](std::size_t v, Index partner) {
+    const bool grows = may_be[v] != 0 && may_be[partner] != 0;
+    if (grows) {
+      marks[v] = 1;
+      marks[partner] = 1;
+    }
+    return grows;
+  });
+  sweep([&](std::size_t v, Index) {
+    const bool shrinks = marks[v] != 0;
+    marks[v] = 0;
+    return shrinks;
+  });
+}
+
 } // namespace
 
 std::vector<float>
@@ -150,19 +179,38 @@ absorbSpecks(const SurfaceGraph& graph, const std::vector<float>& side_function)
 }
 
 std::vector<Side>
-labelSides(const SurfaceGraph& graph, const std::vector<float>& side_function)
+labelSides(const std::vector<float>& side_function)
 {
-  std::vector<Side> sides(graph.size(), Side::None);
-  for (std::size_t v = 0; v < graph.size(); ++v) {
-    bool source = side_function[v] >= 0.0F;
-    bool target = side_function[v] <= 0.0F;
-    for (const Index w : graph.neighboursOf(v)) {
-      source = source || side_function[w] >= 0.0F;
-      target = target || side_function[w] <= 0.0F;
-    }
-    sides[v] = source && target ? Side::Axis : source ? Side::Source : Side::Target;
+  std::vector<Side> sides;
+  sides.reserve(side_function.size());
+  for (const float value : side_function) {
+    sides.push_back(value < 0.0F ? Side::Target : Side::Source);
   }
   return sides;
+}
+
+void
+markAxis(const SurfaceGraph& graph,
+         const std::vector<float>& side_function,
+         const std::vector<Index>& partners,
+         std::vector<Side>& sides)
+{
+  std::vector<char> at_border(graph.size(), 0); // points with a neighbour on the other side
+  std::vector<char> on_axis(graph.size(), 0);
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    for (const Index w : graph.neighboursOf(v)) {
+      if ((side_function[v] < 0.0F) != (side_function[w] < 0.0F)) {
+        at_border[v] = 1;
+        on_axis[v] = on_axis[v] != 0 || std::abs(side_function[v]) <= std::abs(side_function[w]) ? 1 : 0;
+      }
+    }
+  }
+  if (!partners.empty()) {
+    makeAlike(partners, at_border, on_axis);
+  }
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    sides[v] = on_axis[v] != 0 ? Side::Axis : sides[v];
+  }
 }
 
 } // namespace symmetry

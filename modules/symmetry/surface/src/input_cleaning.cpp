@@ -4,6 +4,7 @@
 #include "base/vector_math.h"
 #include "symmetry/surface/cloud_cleaning.h"
 #include "symmetry/surface/mesh_cleaning.h"
+#include "symmetry/surface/mesh_subdivision.h"
 #include "symmetry/surface/scale_normalization.h"
 
 #include <algorithm>
@@ -61,11 +62,27 @@ dropFaces(PreparedSurface& surface)
 } // namespace
 
 UsablePoints
+distinctPoints(const Surface& cloud, const SymmetryParameters& parameters, const NeighbourSearch& search)
+{
+  UsablePoints usable;
+  PreparedSurface& prepared = usable.surface;
+  prepared = takeIn(cloud, parameters.normals == NormalSource::Given);
+  dropNonFinitePoints(prepared);
+  dropFarOutliers(prepared);
+  normalizeScale(prepared);
+  mergeRepeatedPoints(prepared);
+  dropFarParts(cloud.points, parameters, search, prepared);
+  usable.neighbours = search(prepared.points, parameters.k_search);
+  return usable;
+}
+
+UsablePoints
 usablePoints(const Surface& surface,
              const SymmetryParameters& parameters,
              const NeighbourSearch& search,
              NoiseInterpretation interpretation,
-             FaceUse faces)
+             FaceUse faces,
+             std::size_t points)
 {
   const bool has_normals = !surface.hasFaces() && parameters.normals == NormalSource::Given;
   UsablePoints usable;
@@ -81,10 +98,14 @@ usablePoints(const Surface& surface,
     heartbeat();
     dropDegenerateTriangles(prepared.triangles);
     dropRepeatedTriangles(prepared.size(), prepared.triangles);
+    dropUnusedPoints(prepared);
   }
   heartbeat();
   normalizeScale(prepared);
   if (!prepared.is_cloud) {
+    if (points > 0) {
+      splitLongSides(prepared, points);
+    }
     prepared.normals = vertexNormals(prepared.points, prepared.triangles);
     if (faces == FaceUse::Connection) {
       return usable;
