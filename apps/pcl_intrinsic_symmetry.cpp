@@ -5,6 +5,7 @@
 #include "cli/command_line.h"
 #include "cli/output_names.h"
 #include "cli/parameter_options.h"
+#include "cli/program.h"
 #include "cli/progress_line.h"
 #include "cli/stopwatch.h"
 
@@ -23,6 +24,12 @@ using namespace pcl::symmetry;
 namespace {
 
 constexpr const char* program = "pcl_intrinsic_symmetry";
+constexpr const char* standard_stream = "-"; ///< standard input or output
+
+/** \brief The data were read, but are no surface that can be judged. */
+struct Unjudged : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /** \brief Files to write; an empty name: not wanted. */
 struct Outputs {
@@ -38,10 +45,18 @@ struct Outputs {
   {
     return {labelled, map, correspondences, axis, report, picture};
   }
+
+  /** \brief Whether standard output is one of them. */
+  bool
+  takeStandardOutput() const
+  {
+    return map == standard_stream || correspondences == standard_stream || report == standard_stream;
+  }
 };
 
 struct Options {
   std::string input;
+  std::string format; ///< of the input; empty: by its ending
   Outputs outputs;
   SymmetryParameters parameters;
   bool as_cloud = false;
@@ -92,12 +107,14 @@ describeOptions(Options& options)
                "drop points whose neighbours are farther than the mean by D standard deviations, too", Default::Hidden);
 
   OptionGroup general("General");
+  general.word("format", options.format, "FORMAT", "of INPUT where its name does not tell: pcd, ply, obj, off or stl");
   general.flag("quiet,q", options.quiet, "no progress, no summary");
 
   CommandLine line(program,
                    "pcl_intrinsic_symmetry INPUT [options]\n\n"
                    "Finds the symmetric partner of each point of a surface, the two sides and the axis between them.\n"
-                   "INPUT is a .pcd, .ply, .obj, .off or .stl file, or such a file compressed (.gz).\n",
+                   "INPUT is a .pcd, .ply, .obj, .off or .stl file, or such a file compressed (.gz). The name - is\n"
+                   "standard input, with --format, and for --map, --correspondences and --report standard output.\n",
                    "\nExit status: 0 done, 1 cannot read, write or compute, 2 wrong usage, 3 no symmetry found.\n");
   line.add(output);
   line.add(method);
@@ -114,6 +131,11 @@ checkOptions(const Options& options)
   checkEnding("axis", options.outputs.axis, {".ply", ".pcd", ".csv"});
   checkEnding("picture", options.outputs.picture, {".png"});
   checkDistinct(options.outputs.all(), {options.input});
+  const std::vector<std::string> formats = {"", "pcd", "ply", "obj", "off", "stl"};
+  if (std::find(formats.begin(), formats.end(), options.format) == formats.end())
+    throw UsageError("--format is pcd, ply, obj, off or stl, not '" + options.format + "'");
+  if (options.input == standard_stream && options.format.empty())
+    throw UsageError("standard input needs --format");
 }
 
 /** \brief Writes all files but the report. */
@@ -203,12 +225,36 @@ estimate(const Options& options, const Surface& surface)
   }
 }
 
-int
-run(const Options& options)
+/** \brief What to do about a map that may well be wrong; empty where it need not be doubted. */
+std::string
+adviceOn(const SymmetryResult& result)
 {
-  checkWritableFiles(options.outputs.all());
+  constexpr float doubtful = 2.0F / 3.0F; // of three such maps one is wrong
+  if (!hasMap(result.status) || result.confidence >= doubtful)
+    return "";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << program << ": warning: a confidence of " << result.confidence
+       << " is low: look at the map (--picture) before using it";
+  if (result.input.used < result.input.points)
+    text << ", and at what was left out (--report)";
+  return text.str() + "\n";
+}
+
+void
+printSummary(const Options& options, const SymmetryResult& result)
+{
+  if (options.quiet)
+    return;
+  (options.outputs.takeStandardOutput() ? std::cerr : std::cout) << summarize(result) << '\n';
+  std::cerr << adviceOn(result);
+}
+
+/** \brief Reads, estimates and writes. */
+int
+work(const Options& options)
+{
   const Stopwatch reading;
-  Surface surface = readSurface(options.input);
+  Surface surface = readSurface(options.input, options.format);
   if (options.as_cloud)
     surface.triangles.clear();
   const double read_seconds = reading.seconds();
@@ -217,18 +263,37 @@ run(const Options& options)
   result.seconds.insert(result.seconds.begin(), {"read", read_seconds});
   result.input.notes = surface.notes;
   const Stopwatch writing;
-  writeOutputs(options.outputs, surface, result);
+  const bool is_judged = hasMap(result.status) || result.status == SymmetryStatus::NoSymmetry;
+  if (is_judged) // else what was found for this surface before is worth more
+    writeOutputs(options.outputs, surface, result);
   // The report comes last, and holds the time of all that was written before it.
   result.seconds.emplace_back("write", writing.seconds());
   if (!options.outputs.report.empty())
     writeReport(options.outputs.report, options.input, options.parameters, result);
 
-  if (!hasMap(result.status) && result.status != SymmetryStatus::NoSymmetry)
-    throw std::runtime_error(options.input + ": " + toString(result.status) + ": " + result.message);
-  if (!options.quiet)
-    std::cout << summarize(result) << '\n';
+  if (!is_judged)
+    throw Unjudged(options.input + ": " + toString(result.status) + ": " + result.message);
+  printSummary(options, result);
   const bool is_enough = options.require_whole ? result.status == SymmetryStatus::Symmetric : hasMap(result.status);
   return is_enough ? exit_done : exit_no_symmetry;
+}
+
+/** \brief A run that fails leaves a report as well, so that a table of many runs has a row for it. */
+int
+run(const Options& options)
+{
+  checkWritableFiles(options.outputs.all());
+  try {
+    return work(options);
+  }
+  catch (const Unjudged&) {
+    throw; // has a report
+  }
+  catch (const std::exception& error) {
+    if (!options.outputs.report.empty())
+      writeFailureReport(options.outputs.report, options.input, options.parameters, errorText(error));
+    throw;
+  }
 }
 
 int
@@ -244,5 +309,6 @@ runWith(Options& options, const CommandLine& line)
 int
 main(int argc, char** argv)
 {
+  cleanUpOnSignal(removeUnfinishedFiles);
   return runCommand(program, argc, argv, describeOptions, runWith);
 }

@@ -18,6 +18,7 @@ option(PCL_SYMMETRY_BUILD_TESTS "Build the tests" ON)
 set(PCL_SYMMETRY_TIMEOUT_SCALE 1 CACHE STRING "Factor on the time limits of tests: sanitizers and emulators are slow")
 option(PCL_SYMMETRY_BUILD_VIEWER "Build pcl_symmetry_viewer (needs PCL's visualization)" ON)
 option(PCL_SYMMETRY_BENCHMARKS "Build the timings of single steps (needs libbenchmark-dev)" OFF)
+option(PCL_SYMMETRY_FUZZING "Build the fuzz targets (needs clang, preset fuzz)" OFF)
 option(PCL_SYMMETRY_WARNINGS_AS_ERRORS "Stop at a compiler warning" OFF)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -109,7 +110,8 @@ function(pcl_symmetry_program name)
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
   target_compile_definitions(${name} PRIVATE PCL_SYMMETRY_VERSION="${PROJECT_VERSION}")
   pcl_symmetry_compile_options(${name})
-  install(TARGETS ${name} DESTINATION ${CMAKE_INSTALL_BINDIR})
+  # OPTIONAL: who has built a part (cmake/demo.sh) installs that part, and all headers.
+  install(TARGETS ${name} DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)
 endfunction()
 
 # pcl_symmetry_test(<name> SOURCES ... [LINK ...] [TOGETHER] [TIMEOUT <seconds>])

@@ -72,11 +72,12 @@ runCommand(const char* program,
            CommandLine (*describe)(Options& options),
            int (*run)(Options& options, const CommandLine& line))
 {
-  return runProgram(program, [=] {
+  const auto whole = [=] {
     Options options;
     CommandLine line = describe(options);
     return line.read(argc, argv) ? run(options, line) : exit_done;
-  });
+  };
+  return runProgram(program, std::cref(whole)); // a copy would need memory, outside of what catches that there is none
 }
 
 } // namespace symmetry

@@ -34,9 +34,14 @@ checkUsage(Check check)
   }
 }
 
+/** \brief Has a function called when a signal ends the program. It may do only what a signal handler may. */
+void
+cleanUpOnSignal(void (*clean_up)() noexcept);
+
 /** \brief Runs a program: what it throws ends as one message on stderr that begins with the program's name.
  *
- * What was printed is flushed at the end: a program that cannot say what it found has failed.
+ * SIGINT, SIGTERM, SIGHUP and SIGPIPE end the program with 128 more than their number as the exit status, after what is
+ * half written has been removed; one that was ignored before (nohup) stays so. What was printed is flushed at the end: a program that cannot say what it found has failed.
  * \param[in] name of the program
  * \param[in] run returns the exit status
  * \return the exit status: exit_usage after a UsageError, exit_failed after any other exception

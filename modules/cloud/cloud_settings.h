@@ -30,6 +30,7 @@ struct ResamplingSettings {
   float smoothed_spacing = 0.5F;    ///< of the points that are moved onto sheets, over the spacing that is left
   float maximum_gap = 3.0F;         ///< medians of the gaps: how large an area one point may stand for
   float minimum_support = 0.05F;    ///< share of the typical support: the density may well vary by ten
+  float least_spacing = 1e-6F;      ///< of a cloud of unit size; distances of points may be 0 to all digits
   float spacing_step = 1.1F;        ///< factor from try to try; above 1, so that the search ends
   float gaps_per_radius = 1.0F;     ///< of the discs that stand for the surface
   float spacings_per_radius = 0.7F; ///< geometric: half the diagonal of a square, so that discs on a grid leave no gap
@@ -77,10 +78,16 @@ struct SheetSettings {
 
 /** \brief Edges of a cloud that are shortcuts, and links across its gaps, see cloud_surface.h. */
 struct ContactSettings {
-  float steep = 0.7F;        ///< sine of the angle between an edge and the surface: geometric, half a right angle
-  float short_edge = 0.5F;   ///< spacings up to which noise may well point along the normal
-  float step_excess = 5.0F;  ///< medians of all steps; see ContactTest::step
-  float clearance = 0.6F;    ///< depths: where the surface bends inwards it comes nearer than the depth
+  float steep = 0.7F;         ///< sine of the angle between an edge and the surface: geometric, half a right angle
+  float short_edge = 0.5F;    ///< spacings up to which noise may well point along the normal
+  float step_excess = 5.0F;   ///< medians of all steps; see ContactTest::step
+  float clearance = 0.6F;     ///< depths: where the surface bends inwards it comes nearer than the depth
+  float barrier_piece = 8.0F; ///< depths that are searched at a time: four cubes of the grid
+  /** Depths: no contact has longer edges, bodies ten times sparser at one end have them up to 13; bounds the time. */
+  float longest_barred = 64.0F;
+  /** Nearest neighbours to which edges are put back, and along which ways round them are looked for: those to more are
+   * long, and keep nothing together. The usual number is 10; of 256 each search would take a thousand times as long. */
+  std::size_t restored_neighbours = 32;
   float maximum_gap = 0.05F; ///< share of the longest side that a link may bridge
   int minimum_part = 20;     ///< points; less is a speck and stays apart
   float way_ratio = 2.0F;    ///< length of a link over that of the shortest between the same parts

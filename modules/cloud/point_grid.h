@@ -17,7 +17,7 @@ namespace symmetry {
 class PointGrid {
 public:
   /** \param[in] points all finite, within a few units of the origin
-   * \param[in] cell edge of a cube; no coordinate may be a million times larger */
+   * \param[in] cell edge of a cube; taken for larger where a coordinate is more than half a million times as large */
   PointGrid(const std::vector<Vector3>& points, float cell);
 
   /** \brief Calls visit (i) for every point i in the 27 cubes around a place: all that are nearer than an edge, and

@@ -43,10 +43,28 @@ struct Image {
   std::vector<std::uint8_t> pixels;
 };
 
-/** \brief An image under construction, white at first. What lies outside is cut off. */
+/** \brief An image under construction, white at first. What lies outside is cut off.
+ *
+ * Opaque shapes are drawn until they have covered the image most_passes times over, and lines as often: a few thousand
+ * faces, each as large as the image, would otherwise take minutes. What belongs to a surface of any shape covers it
+ * less than ten times. */
 class Rasterizer {
 public:
+  /** \brief How often the image may be drawn over. */
+  static constexpr int most_passes = 64;
+
   Rasterizer(int width, int height);
+
+  /** \brief Whether triangles that together take so many pixels can all be drawn. */
+  bool
+  hasRoomFor(double pixels) const
+  {
+    return pixels <= static_cast<double>(fills_left_);
+  }
+
+  /** \brief Pixels that a triangle takes: those of the box around it. */
+  double
+  pixelsOf(const std::array<ShadedCorner, 3>& corners) const;
 
   /** \brief Fills a triangle. Brightness runs smoothly from corner to corner, while each pixel takes the colour of the
    * corner that is nearest in barycentric terms, which keeps the borders between labels sharp. */
@@ -81,6 +99,8 @@ private:
 
   int width_;
   int height_;
+  std::int64_t fills_left_;  ///< pixels of opaque shapes
+  std::int64_t blends_left_; ///< pixels of lines
   std::vector<Colour> colours_;
   std::vector<float> depths_;
 };

@@ -19,6 +19,11 @@ namespace symmetry {
 void
 deliverMap(const SampledSurface& sampled, const SampleEstimate& samples, MapEstimate& estimate);
 
+/** \brief Fills in matches, limbs and regions of a map of all points whose sides are known.
+ * \param[in,out] estimate with partners and side function */
+void
+describeMap(const SampledSurface& sampled, MapEstimate& estimate);
+
 /** \brief Appends dense maps of the symmetries among the candidates, at most so many, and of the rotations that follow.
  * \param[in] taken the map that was delivered, which comes first
  * \param[in,out] estimate with the delivered map */

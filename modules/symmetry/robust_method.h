@@ -4,6 +4,7 @@
 #pragma once
 
 #include "symmetry/map_estimate.h"
+#include "symmetry/mirror_method.h"
 #include "symmetry/refine/sample_refinement.h"
 #include "symmetry/samples/sampled_surface.h"
 #include "symmetry/search/symmetry_search.h"
@@ -18,6 +19,7 @@ namespace symmetry {
 /** \brief What the robust method is made of; the defaults are those of the class. */
 struct RobustSettings {
   SamplingSettings sampling;
+  MirrorSettings mirror;
   SearchSettings search;
   RefinementSettings refinement;
   std::size_t contenders = 4;    ///< best candidates that are refined and compared, as long as their scores

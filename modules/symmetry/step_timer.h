@@ -47,6 +47,16 @@ public:
     begin_ = Clock::now();
   }
 
+  /** \brief Announces the running step once more, so that the callback can cancel within it.
+   * \throws Cancelled the callback returned false */
+  void
+  beat()
+  {
+    if (callback_ && running_ != none && !callback_(seconds_[running_].first.c_str(), reached_)) {
+      throw Cancelled{};
+    }
+  }
+
   void
   stop()
   {

@@ -1,9 +1,12 @@
 // Exit statuses and messages of a program, whatever it throws.
 #include "cli/program.h"
+#include "io/write/output_file.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <pcl/exceptions.h>
 
+#include <csignal>
 #include <iostream>
 #include <new>
 
@@ -64,6 +67,33 @@ TEST(Program, FailsWhenItsOutputIsLost)
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.errors, "program: standard output: cannot be written\n");
 }
+
+class ProgramEndedBySignal : public test::TemporaryFolder, public testing::WithParamInterface<int> {};
+
+TEST_P(ProgramEndedBySignal, LeavesNothingHalfWritten)
+{
+  const std::string file = write("map.csv", "old");
+  const auto run = [&file]() -> int {
+    OutputFile begun(file);
+    begun.write("new");
+    ::raise(GetParam());
+    return exit_done;
+  };
+  EXPECT_EXIT(::_exit(runProgram("program", run)), testing::ExitedWithCode(128 + GetParam()), "");
+  EXPECT_EQ(read(file), "old");
+  EXPECT_EQ(countFiles(), 1U);
+}
+
+TEST_P(ProgramEndedBySignal, IsNotWhereItWasIgnoredBefore)
+{
+  const auto run = []() -> int {
+    ::raise(GetParam());
+    return exit_done;
+  };
+  EXPECT_EXIT((std::signal(GetParam(), SIG_IGN), ::_exit(runProgram("program", run))), testing::ExitedWithCode(0), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, ProgramEndedBySignal, testing::Values(SIGINT, SIGTERM, SIGHUP, SIGPIPE));
 
 TEST(CheckUsage, MakesOneKindOfExceptionAMistakeOfUsage)
 {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
@@ -413,6 +414,26 @@ TEST(CloudSurface, DepthTakesNothingFromABendingSurface)
   const std::vector<Vector3> points = sphereCloud(1500, 0.5F);
   const CloudSurface surface = surfaceOf(points, {0.5F, 3.0F, 1.3F});
   EXPECT_EQ(surface.graph.neighbours, plainGraph(points).neighbours);
+}
+
+/** Copies of a cloud closer together than it is dense by far: the way from copy to copy is the typical spacing, and
+ * edges of the cloud itself are ten thousand times as long. */
+TEST(CloudSurface, DepthEndsWhereEdgesAreVeryMuchLongerThanTheSpacing)
+{
+  const std::vector<Vector3> once = sphereCloud(300, 0.5F);
+  std::mt19937 random(2);
+  std::vector<Vector3> points;
+  for (int copy = 0; copy < 9; ++copy) {
+    for (const Vector3& p : once) {
+      points.push_back(
+          {p[0] + evenly(random, 0.0F, 1e-5F), p[1] + evenly(random, 0.0F, 1e-5F), p[2] + evenly(random, 0.0F, 1e-5F)});
+    }
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const CloudSurface surface = surfaceOf(points, {0.5F, 3.0F, 0.5F});
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20))
+      << "minutes when all cubes are searched";
+  EXPECT_EQ(surface.graph.size(), points.size());
 }
 
 TEST(CloudSurface, IsTheSameForAnyNumberOfThreads)

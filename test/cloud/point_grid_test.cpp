@@ -195,6 +195,17 @@ TEST(PointGrid, ManagesTheSmallestCells)
   }
 }
 
+TEST(PointGrid, TakesLargerCubesThanItCannotNumber)
+{
+  const std::vector<Vector3> points{{-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}, {0.5F, 0.5F, 0.5F}, {0.0F, 0.0F, 0.0F}};
+  for (const float cell : {1e-9F, 1e-30F, 0.0F}) {
+    const PointGrid grid(points, cell);
+    EXPECT_EQ(visited(grid, points[0]), (std::vector<Index>{0}));
+    EXPECT_EQ(visited(grid, points[1]), (std::vector<Index>{1, 2}));
+    EXPECT_EQ(visited(grid, points[3]), (std::vector<Index>{3}));
+  }
+}
+
 TEST(PointGrid, VisitsNothingWhereThereIsNothing)
 {
   EXPECT_TRUE(visited(PointGrid({}, 0.1F), {0.0F, 0.0F, 0.0F}).empty());

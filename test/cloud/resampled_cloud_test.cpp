@@ -348,6 +348,18 @@ TEST(ResampledCloud, IsNoLargerThanAskedFor)
   }
 }
 
+/** Squares of distances below 1e-22 are 0: no spacing at all, of points none of which come twice. */
+TEST(ResampledCloud, IsNoLargerThanAskedForWherePointsAreAsGoodAsOne)
+{
+  std::mt19937 random(4);
+  std::vector<Vector3> points;
+  for (int i = 0; i < 400; ++i) {
+    points.push_back({i % 2 == 0 ? 0.0F : 1.0F, evenly(random, 0.0F, 1e-25F), evenly(random, 0.0F, 1e-25F)});
+  }
+  const ResampledCloud cloud = resampleCloud(points, nearestNeighbours(points, 10), 100, 1, NoiseInterpretation::Close);
+  EXPECT_LE(cloud.points.size(), 100U);
+}
+
 TEST(ResampledCloud, OfANoisyCloudIsNoLargerThanAskedFor)
 {
   const std::vector<Vector3> points = noisy(sphereCloud(20000, sphere_radius), 0.01F, 8);

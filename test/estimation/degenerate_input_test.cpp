@@ -173,7 +173,7 @@ TEST_P(DegenerateInputTest, PointsOnNoFace)
   const SymmetryResult result = estimate(mesh);
   EXPECT_EQ(result.status, SymmetryStatus::Symmetric);
   EXPECT_EQ(result.input.used, used);
-  EXPECT_EQ(result.input.other_components, 200U);
+  EXPECT_EQ(result.input.unused, 200U);
   EXPECT_EQ(result.partners.back(), no_index);
 }
 

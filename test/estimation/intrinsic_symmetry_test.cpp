@@ -222,9 +222,12 @@ TEST(IntrinsicSymmetryEstimation, PointsOutsideTheIndicesTakeNoPart)
   EXPECT_EQ(result.input.used, static_cast<std::size_t>(n));
 }
 
-TEST(IntrinsicSymmetryEstimation, OnlyTheLargestComponentTakesPart)
+TEST(IntrinsicSymmetryEstimation, OnlyTheLargestObjectTakesPart)
 {
-  Surface surface = sphereMesh(3);
+  Surface surface = scaled(sphereMesh(3), {0.1F, 0.1F, 0.1F});
+  for (Vector3& p : surface.points) {
+    p[0] += 5.0F; // farther away than either is large
+  }
   const auto sphere = static_cast<Index>(surface.size());
   surface.points.insert(surface.points.end(), bentHuman().surface.points.begin(), bentHuman().surface.points.end());
   for (const Triangle& t : bentHuman().surface.triangles) {
@@ -245,8 +248,10 @@ TEST(IntrinsicSymmetryEstimation, OnlyTheLargestComponentTakesPart)
     }
   }
   expectNoReferenceTo(result, marked);
-  EXPECT_EQ(result.input.components, 3U);
-  EXPECT_EQ(result.input.other_components, static_cast<std::size_t>(sphere) + 1);
+  EXPECT_EQ(result.input.components, 2U);
+  EXPECT_EQ(result.input.unused, 1U);
+  EXPECT_EQ(result.input.linked_parts, 0U);
+  EXPECT_EQ(result.input.other_components, static_cast<std::size_t>(sphere));
   EXPECT_EQ(result.input.used, bentHuman().surface.size());
 }
 

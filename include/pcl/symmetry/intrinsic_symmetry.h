@@ -10,8 +10,10 @@
 #include <pcl/correspondence.h>
 #include <pcl/memory.h>
 #include <pcl/pcl_base.h>
+#include <pcl/point_types.h>
 #include <pcl/search/search.h>
 
+#include <type_traits>
 #include <vector>
 
 // Eigen built for wider vectors lays out and allocates differently from the Eigen inside the distribution's libpcl:
@@ -22,6 +24,27 @@
 #endif
 
 namespace pcl {
+namespace symmetry {
+namespace detail {
+
+template <typename PointT, typename... Others>
+constexpr bool is_one_of = (std::is_same<PointT, Others>::value || ...);
+
+/** \brief Whether the library holds the class for this type of points. */
+template <typename PointT>
+constexpr bool is_precompiled = is_one_of<PointT,
+                                          PointXYZ,
+                                          PointXYZI,
+                                          PointXYZL,
+                                          PointXYZRGB,
+                                          PointXYZRGBA,
+                                          PointXYZRGBL,
+                                          PointNormal,
+                                          PointXYZINormal,
+                                          PointXYZRGBNormal>;
+
+} // namespace detail
+} // namespace symmetry
 
 /** \brief Result of IntrinsicSymmetryEstimation::compute (). */
 struct IntrinsicSymmetryResult : public symmetry::SymmetryResult {
@@ -55,6 +78,14 @@ struct IntrinsicSymmetryResult : public symmetry::SymmetryResult {
  */
 template <typename PointT>
 class IntrinsicSymmetryEstimation : public PCLBase<PointT> {
+  static_assert(traits::has_xyz<PointT>::value,
+                "IntrinsicSymmetryEstimation needs points with x, y and z, registered as PCL's point types are");
+#ifndef PCL_NO_PRECOMPILE
+  static_assert(symmetry::detail::is_precompiled<PointT>,
+                "IntrinsicSymmetryEstimation is not precompiled for this point type: define PCL_NO_PRECOMPILE before "
+                "including its header");
+#endif
+
 public:
   /** \brief Shared pointer to an estimation. */
   using Ptr = shared_ptr<IntrinsicSymmetryEstimation<PointT>>;
@@ -72,13 +103,16 @@ public:
 
   /** \brief Sets a mesh; its points become the input cloud, polygons become triangle fans.
    * \param[in] mesh its cloud has float fields x, y, z
-   * \throws pcl::BadArgumentException no mesh, no float x y z, or a polygon refers to a point that is not there */
+   * \throws pcl::BadArgumentException no mesh, no float x y z, bytes that are not laid out as fields, sizes and steps
+   * say, or a polygon refers to a point that is not there; the earlier input stays */
   void
   setInputMesh(const PolygonMesh::ConstPtr& mesh);
 
   /** \brief Search for the neighbours of a cloud's points; default: a kd-tree (FLANN).
    *
-   * compute () sets its input cloud again and again: to the usable points, moved, scaled and in no raster.
+   * compute () sets its input cloud again and again: to the usable points, moved, scaled and in no raster. What it
+   * throws leaves compute (); answers with more neighbours than were asked for, or with none of the points, are refused
+   * there.
    * \throws pcl::BadArgumentException a search that needs a raster (search::OrganizedNeighbor) */
   void
   setSearchMethod(const SearchPtr& search);
@@ -116,12 +150,10 @@ public:
     return parameters_.threads;
   }
 
-  /** \brief Robust (default), or the published staged matching. */
+  /** \brief Robust (default), or the published staged matching.
+   * \throws pcl::BadArgumentException neither of them, or the other parameters do not go with it */
   void
-  setMethod(symmetry::Method method)
-  {
-    parameters_.method = method;
-  }
+  setMethod(symmetry::Method method);
 
   /** \brief The method that is in force. */
   symmetry::Method
@@ -142,7 +174,8 @@ public:
     return parameters_;
   }
 
-  /** \brief Called as each step starts; returning false cancels. */
+  /** \brief Called as each step starts and several times a second; returning false cancels, an exception of it leaves
+   * compute () with the result as it was. */
   void
   setProgressCallback(const symmetry::ProgressCallback& callback)
   {
@@ -181,8 +214,6 @@ private:
 #ifdef PCL_NO_PRECOMPILE
 #include <pcl/symmetry/impl/intrinsic_symmetry.hpp>
 #else
-#include <pcl/point_types.h>
-
 namespace pcl {
 extern template class PCL_SYMMETRY_EXPORTS IntrinsicSymmetryEstimation<PointXYZ>;
 extern template class PCL_SYMMETRY_EXPORTS IntrinsicSymmetryEstimation<PointXYZI>;

@@ -1,8 +1,10 @@
 /** \file
  * \brief Strict readers of surfaces and writers of labelled results; component `io`.
  *
- * Every writer makes its file appear whole or not at all: it writes beside the place and renames at the end; a link is
- * followed, and a device or pipe, such as /dev/stdout, is written to directly. All functions may be called from several
+ * Every writer makes its file appear whole or not at all: it writes beside the place, waits for the disk and renames at
+ * the end; a link is followed. What cannot be replaced is written to directly: a device, a pipe, "-", which is standard
+ * output (all but pictures and files whose format follows from the ending), and descriptors that are open already
+ * (/dev/stdout). All functions may be called from several
  * threads at once, as long as no two of them write the same file. Cost is linear in the size of the file unless said
  * otherwise.
  */
@@ -44,7 +46,7 @@ fileEnding(const std::string& path);
  * infinite. Polygons become triangle fans around their first corner. Faces of fewer than three corners, and triangles
  * with two equal corners, have no area and are left out.
  *
- * \param[in] path a regular file
+ * \param[in] path a regular file; "-" is standard input, which needs a format
  *
  * \return at least one point; normals where the file has one per point
  *
@@ -57,6 +59,14 @@ fileEnding(const std::string& path);
 PCL_SYMMETRY_EXPORTS Surface
 readSurface(const std::string& path);
 
+/** \brief As above, where the name does not tell the format.
+ * \param[in] format pcd, ply, obj, off or stl, whatever the ending; compressed by gzip or not. Empty: by the ending
+ * \throws pcl::IOException as above
+ * \ingroup symmetry
+ */
+PCL_SYMMETRY_EXPORTS Surface
+readSurface(const std::string& path, const std::string& format);
+
 /** \brief Throws unless a file can be made at \a path, or be replaced; leaves all as it was.
  *
  * For programs that compute long before they write. Nothing ensures that writing succeeds later.
@@ -65,6 +75,16 @@ readSurface(const std::string& path);
  */
 PCL_SYMMETRY_EXPORTS void
 checkWritable(const std::string& path);
+
+/** \brief Removes what the writers of this process have begun and not ended, for handlers of signals that end it.
+ *
+ * May be called from a signal handler: it calls nothing but unlink (). The process must not write afterwards. The library
+ * handles no signal itself. What stays behind after a SIGKILL, a hidden file beside the one that was to be written, is
+ * removed by the next writer of the same file.
+ * \ingroup symmetry
+ */
+PCL_SYMMETRY_EXPORTS void
+removeUnfinishedFiles() noexcept;
 
 /** \brief Writes the labelled surface as binary .ply (with faces) or .pcd.
  *
@@ -135,6 +155,17 @@ writeReport(const std::string& path,
             const std::string& input_file,
             const SymmetryParameters& parameters,
             const SymmetryResult& result);
+
+/** \brief Writes the report of a run that ended before there was a result, such as of a file that cannot be read: keys
+ * status ("failed"), message, input (file), parameters and version.
+ * \throws pcl::IOException cannot be written
+ * \ingroup symmetry
+ */
+PCL_SYMMETRY_EXPORTS void
+writeFailureReport(const std::string& path,
+                   const std::string& input_file,
+                   const SymmetryParameters& parameters,
+                   const std::string& reason);
 
 /** \brief Renders front and back of the surface side by side as .png: sides, axis, about forty partner lines. Needs no
  * display.

@@ -14,7 +14,8 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief Called with the name of the running step and the share of the whole work that is done, in [0, 1], always from
- * the thread that called; return false to cancel. */
+ * the thread that called: as each step starts, and several times a second while it runs. Return false to cancel. What
+ * it throws ends the estimation and reaches the caller. */
 using ProgressCallback = std::function<bool(const char* step, double fraction)>;
 
 /** \brief Throws unless every parameter is within its documented range.

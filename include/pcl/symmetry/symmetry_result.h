@@ -75,8 +75,11 @@ struct InputSummary {
   std::size_t non_finite = 0;       ///< points dropped since a coordinate is no finite number
   std::size_t outside_indices = 0;  ///< points that the caller's indices leave out
   std::size_t outliers = 0;         ///< points dropped as outliers
-  std::size_t other_components = 0; ///< points dropped since they lie outside the largest component
-  std::size_t components = 0;       ///< connected components among the finite points
+  std::size_t unused = 0;           ///< points of a mesh that no face uses: they are no surface
+  std::size_t other_components = 0; ///< points dropped since they belong to something else than what was mapped
+  std::size_t components = 0;       ///< connected components of the surface, before parts of one object were linked
+  std::size_t linked_parts = 0;     ///< components that were linked to one object; 0 where it is in one piece
+  std::size_t part_links = 0;       ///< edges that link them
   std::size_t bridges = 0;          ///< edges added between parts of a cloud
   std::size_t distrusted_edges = 0; ///< edges removed from a cloud's graph as shortcuts between parts in contact
   bool read_as_cloud = false;       ///< of a mesh: its faces told normals only, as holes or cracks run through it

@@ -11,6 +11,8 @@ namespace symmetry {
 void
 checkDistinct(const std::vector<std::string>& outputs, std::vector<std::string> inputs)
 {
+  // What comes from standard input is not overwritten by what goes to standard output.
+  inputs.erase(std::remove(inputs.begin(), inputs.end(), standard_stream), inputs.end());
   for (const std::string& file : outputs) {
     const auto is_file = [&file](const std::string& other) {
       return areOneFile(file, other);

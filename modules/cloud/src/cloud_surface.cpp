@@ -1,11 +1,13 @@
 #include "cloud/cloud_surface.h"
 
+#include "base/heartbeat.h"
 #include "base/parallel.h"
 #include "base/statistics.h"
 #include "base/union_find.h"
 #include "base/vector_math.h"
 #include "cloud/cloud_normals.h"
 #include "cloud/cloud_settings.h"
+#include "cloud/contact_barrier.h"
 #include "cloud/local_delaunay.h"
 #include "cloud/point_grid.h"
 #include "cloud/sheet_normals.h"
@@ -143,59 +145,6 @@ bridgeParts(std::size_t n, std::vector<GraphEdge>& trusted, std::vector<GraphEdg
   return bridges;
 }
 
-/** Tells edges that lead from one part of the body to another one through the place where they touch: moved a little
- * way into the body, along the normals, they meet the surface in between. On a bend of one surface they do not, however
- * sharp it is. */
-class ContactBarrier {
-public:
-  /** \param[in] depth how far edges are moved */
-  ContactBarrier(const std::vector<Vector3>& points, const std::vector<Vector3>& normals, float depth)
-      : points_(points),
-        normals_(normals),
-        clearance_(settings.clearance * depth),
-        depth_(depth),
-        grid_(points, 2.0F * depth)
-  {
-  }
-
-  bool
-  isCrossedBy(const GraphEdge& edge) const
-  {
-    const Vector3 a = points_[edge.a] - depth_ * normals_[edge.a];
-    const Vector3 b = points_[edge.b] - depth_ * normals_[edge.b];
-    Vector3 low;
-    Vector3 high;
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = std::min(a[i], b[i]) - clearance_;
-      high[i] = std::max(a[i], b[i]) + clearance_;
-    }
-    const Vector3 along = b - a;
-    const float inverse_square = 1.0F / std::max(dot(along, along), std::numeric_limits<float>::min());
-    const float beyond = 1.001F * clearance_ * clearance_;
-    const auto steps = std::max(2, static_cast<int>(std::ceil(distance(a, b) / (0.5F * clearance_))));
-    bool is_crossed = false;
-    grid_.visitBox(low, high, [&](Index v) {
-      const Vector3 offset = points_[v] - a;
-      const Vector3 nearest = std::clamp(inverse_square * dot(offset, along), 0.0F, 1.0F) * along;
-      if (dot(offset - nearest, offset - nearest) > beyond) {
-        return; // most are
-      }
-      for (int i = 0; i <= steps && !is_crossed; ++i) {
-        const Vector3 place = a + (static_cast<float>(i) / static_cast<float>(steps)) * along;
-        is_crossed = distance(points_[v], place) < clearance_;
-      }
-    });
-    return is_crossed;
-  }
-
-private:
-  const std::vector<Vector3>& points_;
-  const std::vector<Vector3>& normals_;
-  float clearance_; ///< where the surface bends inwards it comes nearer than the depth
-  float depth_;
-  PointGrid grid_;
-};
-
 /** Searches around a vertex, with memory kept from search to search. Goes first where the way and the straight line
  * from there to the target are shortest together (Hart, Nilsson and Raphael: A formal basis for the heuristic
  * determination of minimum cost paths. IEEE Transactions on Systems Science and Cybernetics 4(2), 1968
@@ -256,19 +205,47 @@ private:
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
+/** Tells edges to one of the nearest neighbours of either end. */
+class NearEdges {
+public:
+  NearEdges(const std::vector<Vector3>& points, const NeighbourLists& lists)
+      : reach_(points.size(), std::numeric_limits<float>::infinity())
+  {
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      const IndexRange around = lists.of(v);
+      if (around.size() > settings.restored_neighbours) {
+        const Index last = around.begin()[settings.restored_neighbours - 1];
+        reach_[v] = distance(points[v], points[last]);
+      }
+    }
+  }
+
+  bool
+  operator()(const GraphEdge& edge) const
+  {
+    return edge.length <= std::max(reach_[edge.a], reach_[edge.b]);
+  }
+
+private:
+  std::vector<float> reach_; ///< of each point; infinite where there are no more neighbours
+};
+
 /** Puts back the edges that shorten no way by much: on a sharp bend they are needed, and they join no parts in contact.
  */
 void
 restoreHarmless(const std::vector<Vector3>& points,
+                const NearEdges& is_near,
                 float detour,
                 unsigned threads,
                 std::vector<GraphEdge>& trusted,
                 std::vector<GraphEdge>& distrusted)
 {
-  const SurfaceGraph graph = buildGraph(points.size(), trusted);
-  moveEdges(distrusted, trusted, threads, [&points, &graph, detour] {
-    return [search = LocalSearch(points, graph), detour](const GraphEdge& edge) mutable {
-      return search.isNear(edge.a, edge.b, detour * edge.length);
+  std::vector<GraphEdge> ways;
+  std::copy_if(trusted.begin(), trusted.end(), std::back_inserter(ways), is_near);
+  const SurfaceGraph graph = buildGraph(points.size(), ways);
+  moveEdges(distrusted, trusted, threads, [&points, &graph, &is_near, detour] {
+    return [search = LocalSearch(points, graph), &is_near, detour](const GraphEdge& edge) mutable {
+      return is_near(edge) && search.isNear(edge.a, edge.b, detour * edge.length);
     };
   });
 }
@@ -326,6 +303,7 @@ buildCloudSurface(const std::vector<Vector3>& points,
                   const std::vector<char>& is_oriented)
 {
   const SurfaceGraph plain = buildNeighbourGraph(points, lists, radius);
+  heartbeat();
   const std::vector<GraphEdge> gaps = radius > 0.0F ? std::vector<GraphEdge>{} : linksAcrossGaps(points, plain);
   const std::vector<float> spacing = localSpacing(plain);
   CloudSurface cloud;
@@ -360,7 +338,7 @@ buildCloudSurface(const std::vector<Vector3>& points,
     // The inside of a thin part is crossed all over: first it has to hang together.
     bridges = bridgeParts(points.size(), trusted, distrusted);
   }
-  restoreHarmless(points, contact.detour, threads, trusted, distrusted);
+  restoreHarmless(points, NearEdges(points, lists), contact.detour, threads, trusted, distrusted);
 
   cloud.triangles = localDelaunayTriangles(points, cloud.normals, buildGraph(points.size(), trusted), threads);
   cloud.bridges = bridges + bridgeParts(points.size(), trusted, distrusted) + gaps.size();

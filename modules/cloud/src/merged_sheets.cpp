@@ -1,5 +1,6 @@
 #include "cloud/merged_sheets.h"
 
+#include "base/heartbeat.h"
 #include "base/vector_math.h"
 #include "cloud/cloud_settings.h"
 
@@ -57,11 +58,17 @@ lookToBothSides(const std::vector<Surfel>& surface,
   if (!(spacing > 0.0F)) { // nothing but points at the same place as their neighbours
     return layers;
   }
+  float last = 0.0F; // where the space is too large for cubes of a size, several sizes come out as one
   for (int view = 0; view < settings.views; ++view) {
-    const OutsideSpace outside(surface,
-                               (settings.finest_cube + static_cast<float>(view) * settings.cube_step) * spacing);
+    const float cube = (settings.finest_cube + static_cast<float>(view) * settings.cube_step) * spacing;
+    if (cube <= last) {
+      continue;
+    }
+    const OutsideSpace outside(surface, cube);
+    last = outside.cube();
     std::vector<Sides> sides;
     for (std::size_t i = 0; i < places.size(); ++i) {
+      heartbeat();
       sides.push_back(lookAround(outside, places[i], layers.normals[i]));
     }
     const auto open = static_cast<float>(std::count(sides.begin(), sides.end(), Sides::Alike));

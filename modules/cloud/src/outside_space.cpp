@@ -1,6 +1,7 @@
 #include "cloud/outside_space.h"
 
 #include "base/bounding_box.h"
+#include "base/heartbeat.h"
 #include "base/tangent_frame.h"
 #include "base/vector_math.h"
 #include "cloud/cloud_settings.h"
@@ -45,6 +46,7 @@ OutsideSpace::OutsideSpace(const std::vector<Surfel>& surfels, float cube) : cub
   }
   cubes_.assign(static_cast<std::size_t>(counts_[0] * counts_[1] * counts_[2]), Cube::Free);
   for (const Surfel& surfel : surfels) {
+    heartbeat();
     occupy(surfel);
   }
   flood();
@@ -101,7 +103,11 @@ OutsideSpace::flood()
 {
   std::vector<std::array<std::ptrdiff_t, 3>> front{{0, 0, 0}};
   cubes_[0] = Cube::Outside;
-  while (!front.empty()) {
+  constexpr std::size_t beat_every = 4096;
+  for (std::size_t flooded = 0; !front.empty(); ++flooded) {
+    if (flooded % beat_every == 0) {
+      heartbeat();
+    }
     const std::array<std::ptrdiff_t, 3> c = front.back();
     front.pop_back();
     for (int k = 0; k < 3; ++k) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace pcl {
@@ -10,9 +11,23 @@ namespace {
 
 constexpr std::int64_t offset = std::int64_t{1} << 20; // 21 bits for each direction
 
+/** The edge of a cube, or the least with which all numbers of cubes have 20 bits. */
+float
+cellForAll(const std::vector<Vector3>& points, float cell)
+{
+  float largest = 0.0F;
+  for (const Vector3& p : points) {
+    for (const float x : p) {
+      largest = std::max(largest, std::abs(x));
+    }
+  }
+  const float least = 2.0F * largest / static_cast<float>(offset);
+  return cell > least ? cell : std::max(least, std::numeric_limits<float>::min());
+}
+
 } // namespace
 
-PointGrid::PointGrid(const std::vector<Vector3>& points, float cell) : inverse_cell_(1.0F / cell)
+PointGrid::PointGrid(const std::vector<Vector3>& points, float cell) : inverse_cell_(1.0F / cellForAll(points, cell))
 {
   std::vector<std::pair<Key, Index>> entries;
   entries.reserve(points.size());

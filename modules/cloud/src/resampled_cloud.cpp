@@ -1,5 +1,6 @@
 #include "cloud/resampled_cloud.h"
 
+#include "base/heartbeat.h"
 #include "base/parallel.h"
 #include "base/renumbering.h"
 #include "base/statistics.h"
@@ -156,7 +157,7 @@ spacingForAtMost(const std::vector<Vector3>& points, std::size_t maximum_points,
   std::size_t left = spacing > 0.0F ? thinOut(points, spacing).size() : points.size();
   while (left > maximum_points) {
     // On a surface the number of points falls with the square of the spacing.
-    const float finer = std::max(spacing, mean_distance);
+    const float finer = std::max({spacing, mean_distance, settings.least_spacing});
     spacing = finer *
               std::max(settings.spacing_step, std::sqrt(static_cast<float>(left) / static_cast<float>(maximum_points)));
     left = thinOut(points, spacing).size();
@@ -259,6 +260,7 @@ resampleCloud(const std::vector<Vector3>& points,
 {
   const std::vector<float> mean_distances = neighbourDistances(points, lists);
   const std::vector<char> outlier = findOutliers(points, lists, mean_distances);
+  heartbeat();
   std::vector<Vector3> inliers;
   std::vector<Index> number;
   for (std::size_t v = 0; v < points.size(); ++v) {
@@ -273,6 +275,7 @@ resampleCloud(const std::vector<Vector3>& points,
   if (interpretation != NoiseInterpretation::Smooth) {
     smoothing = withLeastRadius(smoothing, mean_distance);
   }
+  heartbeat();
   std::vector<float> gaps;
   if (smoothing.radius > 0.0F) {
     gaps = smooth(selection, smoothing, maximum_points, mean_distance, threads);
@@ -289,6 +292,7 @@ resampleCloud(const std::vector<Vector3>& points,
   if (interpretation == NoiseInterpretation::Parted) {
     surface = surfels(selection, gaps, std::max(spacing, mean_distance));
   }
+  heartbeat();
   if (spacing > 0.0F) {
     selectSpaced(selection, spacing, threads);
   }

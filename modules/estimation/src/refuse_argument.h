@@ -3,6 +3,8 @@
  */
 #pragma once
 
+#include <pcl/symmetry/impl/plain_exception.h>
+
 #include <pcl/exceptions.h>
 
 #include <sstream>
@@ -20,7 +22,7 @@ refuseArgument(const Parts&... parts)
 {
   std::ostringstream message;
   (message << ... << parts);
-  throw BadArgumentException(message.str());
+  throw detail::PlainException<BadArgumentException>(message.str());
 }
 
 } // namespace symmetry

@@ -16,6 +16,18 @@ checkRange(const char* name, Number value, Number minimum, Number maximum)
   }
 }
 
+template <typename Enum, std::size_t count>
+void
+checkNamed(const char* name, const EnumName<Enum> (&table)[count], Enum value)
+{
+  for (const EnumName<Enum>& entry : table) {
+    if (entry.value == value) {
+      return;
+    }
+  }
+  refuseArgument(name, " is ", static_cast<int>(value), ", which is none of ", allNames(table));
+}
+
 } // namespace
 
 const char*
@@ -27,6 +39,10 @@ toString(SymmetryStatus status)
 void
 checkParameters(const SymmetryParameters& parameters)
 {
+  checkNamed("method", method_names, parameters.method);
+  checkNamed("metric", metric_names, parameters.metric);
+  checkNamed("normals", normal_source_names, parameters.normals);
+  checkNamed("pairing", pairing_names, parameters.pairing);
   constexpr float largest = 1e30F;
   checkRange("k_search", parameters.k_search, 3, 256);
   checkRange("radius", parameters.radius, 0.0F, largest);

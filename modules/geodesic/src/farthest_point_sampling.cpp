@@ -1,5 +1,6 @@
 #include "geodesic/farthest_point_sampling.h"
 
+#include "base/heartbeat.h"
 #include "geodesic/bucket_queue.h"
 #include "geodesic/shortest_paths.h"
 
@@ -74,6 +75,7 @@ farthestPointSampling(const SurfaceGraph& graph, Index start, std::size_t count)
   BlockMaxima maxima(samples.distance);
   Index next = start;
   while (samples.vertices.size() < count && next != no_index && samples.distance[next] > 0.0F) {
+    heartbeat();
     const auto number = static_cast<Index>(samples.vertices.size());
     samples.vertices.push_back(next);
     samples.radii.push_back(samples.distance[next]);

@@ -1,5 +1,6 @@
 #include "geodesic/surface_graph.h"
 
+#include "base/heartbeat.h"
 #include "base/vector_math.h"
 
 #include <algorithm>
@@ -47,7 +48,9 @@ buildGraph(std::size_t n, const std::vector<GraphEdge>& edges)
 {
   std::vector<std::uint32_t> offsets;
   std::vector<HalfEdge> half_edges;
+  heartbeat();
   scatterHalfEdges(n, edges, offsets, half_edges);
+  heartbeat();
 
   SurfaceGraph graph;
   graph.offsets.assign(n + 1, 0);

@@ -11,10 +11,10 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief The bytes of one regular file. */
+/** \brief The bytes of one regular file, or of standard input. */
 class FileContent {
 public:
-  /** \brief Reads the file in one go.
+  /** \brief Reads the file in one go; "-" is standard input, of which at most 4 GiB are read.
    * \throws pcl::IOException is missing, empty, a directory or another special file, or cannot be read
    */
   explicit FileContent(const std::string& path);
@@ -23,6 +23,12 @@ public:
    * \throws pcl::IOException is not, is truncated or damaged, or unpacks to more than mostUnpacked() */
   void
   unpackGzip();
+
+  bool
+  isGzip() const
+  {
+    return view().substr(0, 2) == "\x1F\x8B";
+  }
 
   const char*
   data() const
@@ -58,6 +64,15 @@ public:
   failAtByte(std::size_t byte, const std::string& reason) const;
 
 private:
+  void
+  readRegular(int descriptor, std::size_t expected);
+
+  void
+  readStream(int descriptor);
+
+  void
+  grow(std::size_t capacity);
+
   std::string path_;
   std::unique_ptr<char[]> bytes_;
   std::size_t size_ = 0;

@@ -3,22 +3,29 @@
  */
 #pragma once
 
+#include "io/write/unfinished_files.h"
+
 #include <string>
 #include <string_view>
 
 namespace pcl {
 namespace symmetry {
 
+/** \brief The name of standard output, and for readers that of standard input. */
+constexpr const char* standard_stream = "-";
+
 /** \brief Writes beside the place of a file and moves the result there at the end.
  *
- * Until commit() a file that was there before stays as it was; without commit() nothing is left behind. A link is
- * followed. A file that may not be written to stays. A device or a pipe (/dev/stdout) cannot be replaced and is written
- * to directly.
+ * Until commit() a file that was there before stays as it was; without commit() nothing is left behind, but by a process
+ * that is killed: what such a one has left is cleared away by the next that writes the same file. A link is followed. A
+ * file that may not be written to stays. What cannot be replaced is written to directly: a device, a pipe, "-" (standard
+ * output), and what the process has open already (/dev/stdout, /dev/fd/3), be it a file: who has redirected standard
+ * output to the end of a log wants the log to stay.
  */
 class OutputFile {
 public:
   /** \brief Creates the temporary file.
-   * \throws pcl::IOException the folder is missing or cannot be written to */
+   * \throws pcl::IOException the folder is missing or cannot be written to, or the name is too long */
   explicit OutputFile(const std::string& path);
   OutputFile(const OutputFile&) = delete;
   OutputFile&
@@ -33,18 +40,25 @@ public:
   void
   write(std::string_view bytes);
 
-  /** \brief Makes the file appear.
+  /** \brief Makes the file appear, on the disk.
    * \throws pcl::IOException cannot be written or moved; nothing is left behind then */
   void
   commit();
 
 private:
+  void
+  createBeside(unsigned mode, bool exists);
+
+  bool
+  moveIntoPlace();
+
   [[noreturn]] void
   failWithSystemError() const;
 
   std::string path_;      ///< as the caller gave it, for messages
   std::string target_;    ///< \a path_ with links followed
   std::string temporary_; ///< empty where \a target_ is written to directly
+  UnfinishedFile unfinished_;
   int descriptor_ = -1;
 };
 

@@ -9,8 +9,7 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief Checks that each per-point array has one entry per point, and that partners, matches and axis refer to
- * points.
+/** \brief Checks that each per-point array has one entry per point, that confidences and support are numbers, sides and regions among those that there are, and that partners, matches and axis refer to points.
  * \throws pcl::BadArgumentException says which does not
  */
 void

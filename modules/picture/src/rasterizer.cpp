@@ -21,7 +21,24 @@ struct PixelRange {
 
   int begin = 0;
   int end = 0; ///< one behind the last
+
+  std::int64_t
+  size() const
+  {
+    return std::int64_t{end} - begin;
+  }
 };
+
+/** \brief Columns and rows of the box around a triangle. */
+std::array<PixelRange, 2>
+boxAround(const std::array<ShadedCorner, 3>& corners, int width, int height)
+{
+  const ScreenPoint& a = corners[0].place;
+  const ScreenPoint& b = corners[1].place;
+  const ScreenPoint& c = corners[2].place;
+  return {PixelRange(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), width),
+          PixelRange(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), height)};
+}
 
 /** \brief Twice the signed area of the triangle a, b, (x, y). */
 float
@@ -52,6 +69,8 @@ shade(const Colour& colour, float brightness)
 Rasterizer::Rasterizer(int width, int height)
     : width_(width),
       height_(height),
+      fills_left_(std::int64_t{most_passes} * width * height),
+      blends_left_(fills_left_),
       colours_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), Colour{255, 255, 255}),
       depths_(colours_.size(), -std::numeric_limits<float>::infinity())
 {
@@ -83,10 +102,10 @@ Rasterizer::fillTriangle(const std::array<ShadedCorner, 3>& corners)
   const ScreenPoint& b = corners[1].place;
   const ScreenPoint& c = corners[2].place;
   const float area = edgeFunction(a, b, c.x, c.y);
-  if (area == 0.0F || !std::isfinite(area))
+  if (area == 0.0F || !std::isfinite(area) || fills_left_ <= 0)
     return;
-  const PixelRange columns(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), width_);
-  const PixelRange rows(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), height_);
+  const auto [columns, rows] = boxAround(corners, width_, height_);
+  fills_left_ -= columns.size() * rows.size();
   for (int y = rows.begin; y < rows.end; ++y) {
     for (int x = columns.begin; x < columns.end; ++x) {
       const float centre_x = static_cast<float>(x) + 0.5F;
@@ -108,11 +127,21 @@ Rasterizer::fillTriangle(const std::array<ShadedCorner, 3>& corners)
   }
 }
 
+double
+Rasterizer::pixelsOf(const std::array<ShadedCorner, 3>& corners) const
+{
+  const auto [columns, rows] = boxAround(corners, width_, height_);
+  return static_cast<double>(columns.size() * rows.size());
+}
+
 void
 Rasterizer::fillDisc(const ScreenPoint& centre, float radius, const Colour& colour)
 {
+  if (fills_left_ <= 0)
+    return;
   const PixelRange columns(centre.x - radius, centre.x + radius, width_);
   const PixelRange rows(centre.y - radius, centre.y + radius, height_);
+  fills_left_ -= columns.size() * rows.size();
   for (int y = rows.begin; y < rows.end; ++y) {
     for (int x = columns.begin; x < columns.end; ++x) {
       const float dx = static_cast<float>(x) + 0.5F - centre.x;
@@ -131,7 +160,7 @@ Rasterizer::blendSegment(
   const float dy = end.y - begin.y;
   const float squared_length = dx * dx + dy * dy;
   const PixelRange rows(std::min(begin.y, end.y) - radius, std::max(begin.y, end.y) + radius, height_);
-  for (int y = rows.begin; y < rows.end; ++y) {
+  for (int y = rows.begin; y < rows.end && blends_left_ > 0; ++y) {
     const float centre_y = static_cast<float>(y) + 0.5F;
     // The part of the line within reach of this row, so that a long slanted line costs no whole rectangle.
     float least = std::min(begin.x, end.x);
@@ -143,6 +172,7 @@ Rasterizer::blendSegment(
       most = std::min(most, middle + std::abs(slope) * radius);
     }
     const PixelRange columns(least - radius, most + radius, width_);
+    blends_left_ -= columns.size() + 1;
     for (int x = columns.begin; x < columns.end; ++x) {
       const float along = (static_cast<float>(x) + 0.5F - begin.x) * dx + (centre_y - begin.y) * dy;
       const float t = squared_length > 0.0F ? std::clamp(along / squared_length, 0.0F, 1.0F) : 0.0F;

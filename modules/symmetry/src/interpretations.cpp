@@ -1,6 +1,7 @@
 #include "symmetry/interpretations.h"
 
 #include "symmetry/confidence/map_confidence.h"
+#include "symmetry/surface/mesh_subdivision.h"
 #include "symmetry/surface/surface_preparation.h"
 
 #include <algorithm>
@@ -115,7 +116,9 @@ InterpretationPlan::next(const RivalInterpretations& rivals)
     }
     const Stage stage = std::move(stages_.back());
     stages_.pop_back();
-    usable_ = usablePoints(surface_, parameters_, search_, stage.noise, stage.faces);
+    // The staged method takes a mesh as it is, as it was published.
+    const std::size_t points = parameters_.method == Method::Robust ? points_of_a_surface : 0;
+    usable_ = usablePoints(surface_, parameters_, search_, stage.noise, stage.faces, points);
     samples_ = stage.samples;
     contacts_ = contactTests(usable_.surface, parameters_, stage.depths);
     std::reverse(contacts_.begin(), contacts_.end());

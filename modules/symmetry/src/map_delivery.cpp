@@ -117,6 +117,24 @@ deliverMap(const SampledSurface& sampled, const SampleEstimate& samples, MapEsti
 }
 
 void
+describeMap(const SampledSurface& sampled, MapEstimate& estimate)
+{
+  SampleEstimate samples;
+  const CoarseSurface& coarse = sampled.coarse;
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    const Index point = coarse.cells.vertices[i];
+    const Index partner = estimate.partners[point] == no_index ? point : estimate.partners[point];
+    samples.partners.push_back(partner);
+    samples.map.push_back(coarse.cells.owner[partner]);
+  }
+  for (std::size_t i = 0; i < sampled.landmarks.size(); ++i) {
+    samples.landmark_map.push_back(sampled.landmarks.nearest_landmark[samples.map[i]]);
+  }
+  estimate.matches = sparseMatches(sampled, samples, estimate.side_function);
+  describeLimbs(sampled, samples.landmark_map, estimate);
+}
+
+void
 deliverAlternatives(const SampledSurface& sampled,
                     const SampleRefinement& refinement,
                     const MapJudge& judge,

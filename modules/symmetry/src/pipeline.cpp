@@ -1,11 +1,13 @@
 #include "symmetry/pipeline.h"
 
+#include "base/heartbeat.h"
 #include "symmetry/confidence/map_confidence.h"
 #include "symmetry/interpretations.h"
 #include "symmetry/result_delivery.h"
 #include "symmetry/robust_method.h"
 #include "symmetry/sides/map_quality.h"
 #include "symmetry/staged/staged_method.h"
+#include "symmetry/surface/surface_preparation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,13 +32,41 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
   return estimateRobust(prepared, parameters, settings, timer);
 }
 
+/** A cloud that is its own mirror image as it stands, whatever touches what; none where it is not. */
+std::optional<Interpretation>
+interpretAsItStands(const Surface& surface,
+                    const SymmetryParameters& parameters,
+                    const NeighbourSearch& search,
+                    StepTimer& timer)
+{
+  if (surface.hasFaces() || parameters.method == Method::Staged) {
+    return std::nullopt;
+  }
+  const RobustSettings settings;
+  PreparedSurface cloud = prepareAsItStands(surface, parameters, search);
+  if (cloud.size() < minimum_samples) {
+    return std::nullopt;
+  }
+  const std::vector<MirrorFit> planes = mirrorPlanesOf(cloud, settings.sampling.samples, settings.mirror);
+  if (planes.empty()) {
+    return std::nullopt;
+  }
+  const SampledSurface sampled = sampleSurface(cloud, settings.sampling, parameters.metric, parameters.threads, timer);
+  if (sampled.coarse.size() < minimum_samples) {
+    return std::nullopt;
+  }
+  timer.start("dense", 0.8);
+  MapEstimate estimate = estimateByMirror(sampled, planes, parameters, settings.mirror);
+  return Interpretation{std::move(cloud), std::move(estimate)};
+}
+
 /** A map of a small part of the input is at most that part right; says so where much was left out. */
 void
 boundByShareUsed(SymmetryResult& result)
 {
   constexpr float nearly_all = 0.9F;
   const InputSummary& input = result.input;
-  const std::size_t left_out = input.non_finite + input.outside_indices + input.outliers;
+  const std::size_t left_out = input.non_finite + input.outside_indices + input.outliers + input.unused;
   if (input.points <= left_out) {
     return;
   }
@@ -47,6 +77,21 @@ boundByShareUsed(SymmetryResult& result)
                       std::to_string(std::lround(100.0F * (1.0F - share))) +
                       " % of the points lie apart from the part that was mapped";
   }
+}
+
+/** What became of the points of the input, for those who are told that there are too few. */
+std::string
+describePoints(const InputSummary& input)
+{
+  std::string text = "of " + std::to_string(input.points) + " points ";
+  for (const auto& [count, reason] : {std::pair(input.non_finite, " are no finite places, "),
+                                      {input.outliers, " are outliers, "},
+                                      {input.other_components, " are in other parts, "}}) {
+    if (count > 0) {
+      text += std::to_string(count) + reason;
+    }
+  }
+  return text + std::to_string(input.working_points) + " at distinct places are left";
 }
 
 /** The whole method. */
@@ -71,6 +116,9 @@ estimateInto(SymmetryResult& result,
   result.message = estimate.message;
   result.confidence = estimate.confidence;
   result.diameter = estimate.diameter / prepared.scale;
+  if (estimate.status == SymmetryStatus::TooFewPoints) {
+    result.message += "; " + describePoints(result.input);
+  }
   if (!hasMap(estimate.status)) {
     return;
   }
@@ -105,10 +153,13 @@ interpretSurface(const Surface& surface,
                  InputSummary& summary,
                  const std::function<void(const Interpretation&)>& observer)
 {
+  timer.start("graph", 0.0);
+  if (std::optional<Interpretation> mirrored = interpretAsItStands(surface, parameters, search, timer)) {
+    return std::move(*mirrored);
+  }
   // Interpret: in one way after another until the result is settled; the ways vote.
   InterpretationPlan plan(surface, parameters, search);
   RivalInterpretations rivals(plan.pooling());
-  timer.start("graph", 0.0);
   while (std::optional<InterpretationPlan::Attempt> attempt = plan.next(rivals)) {
     // Prepare: points cleaned, graph built, at unit scale; done by the plan.
     summary = attempt->surface.summary;
@@ -131,6 +182,7 @@ runPipeline(const Surface& surface,
             StepTimer& timer)
 {
   SymmetryResult result = emptyResult(surface);
+  const HeartbeatScope alive([&timer] { timer.beat(); });
   try {
     estimateInto(result, surface, parameters, search, timer);
   }

@@ -92,6 +92,11 @@ deliverUnsupported(const MapEstimate& estimate, const PreparedSurface& prepared,
   to_input.scatter(estimate.is_unsupported, is_out);
   for (std::size_t v = 0; v < is_out.size(); ++v) {
     result.sides[v] = is_out[v] != 0 ? Side::None : result.sides[v];
+    // A place between points is told of the nearest of them, which may be left out.
+    if (result.partners[v] != no_index && is_out[result.partners[v]] != 0) {
+      result.partners[v] = no_index;
+      result.confidences[v] = 0.0F;
+    }
   }
   result.map.axis = static_cast<std::size_t>(std::count(result.sides.begin(), result.sides.end(), Side::Axis));
 }
@@ -142,6 +147,7 @@ deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, bool 
   result.axis = traceAxis(prepared, side_function, is_partial ? estimate.is_unsupported : std::vector<char>{});
   for (Polyline& line : result.axis) {
     line.points = to_input.renumbered(std::move(line.points));
+    line.points.erase(std::unique(line.points.begin(), line.points.end()), line.points.end());
     for (AxisPoint& point : line.curve) {
       point.position = to_input.place(point.position);
       point.arc_length /= prepared.scale;

@@ -10,6 +10,7 @@ namespace symmetry {
 namespace {
 
 constexpr std::size_t minimum_points = 60;
+constexpr float in_doubt = 0.75F; // confidence below which a mirror plane in space is more certain, where there is one
 
 MapEstimate
 tooFewPoints()
@@ -38,6 +39,12 @@ estimateRobust(const PreparedSurface& surface,
   if (sampled.coarse.size() < minimum_samples) {
     return tooFewPoints();
   }
+  // Mirror: what is its own mirror image in space needs no search; that of several parts is rarely anything else.
+  const std::vector<MirrorFit> planes = mirrorPlanesOf(sampled, settings.mirror);
+  if (!planes.empty() && !surface.part_of.empty()) {
+    timer.start("dense", 0.8);
+    return estimateByMirror(sampled, planes, parameters, settings.mirror);
+  }
   // Search: many hypotheses among the landmarks, ranked.
   timer.start("hypotheses", 0.4);
   const std::vector<SymmetryCandidate> candidates = searchSymmetries(sampled, settings.search);
@@ -51,6 +58,10 @@ estimateRobust(const PreparedSurface& surface,
   // Judge: which of them fits best, and whether it is a symmetry at all.
   const MapJudge judge(sampled);
   MapEstimate estimate = judge.verdict(contenders);
+  if (!planes.empty() && estimate.confidence < planes.front().share && estimate.confidence < in_doubt) {
+    timer.start("dense", 0.8);
+    return estimateByMirror(sampled, planes, parameters, settings.mirror);
+  }
   if (contenders.empty()) {
     return estimate;
   }

@@ -25,6 +25,10 @@ dropDegenerateTriangles(std::vector<Triangle>& triangles);
 void
 dropRepeatedTriangles(std::size_t n, std::vector<Triangle>& triangles);
 
+/** \brief Drops points that no triangle has as a corner; they are no surface. */
+void
+dropUnusedPoints(PreparedSurface& surface);
+
 /** \brief Mean of the normals of the faces around each vertex, weighted by area; zero where there is no face. */
 std::vector<Vector3>
 vertexNormals(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles);

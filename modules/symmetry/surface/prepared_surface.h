@@ -13,7 +13,7 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief The largest component of the finite points of a surface.
+/** \brief The largest object among the finite points of a surface: one component, or several that belong together.
  *
  * Points are moved and scaled so that the bounding box (of a mesh: of its largest component; of a cloud: without parts
  * farther away than the largest is long) is centred at the origin and its longest side is 1: whatever the unit of the
@@ -22,10 +22,13 @@ namespace symmetry {
 struct PreparedSurface {
   std::vector<Vector3> points;
   std::vector<Triangle> triangles; ///< without degenerate and repeated ones; of a cloud: local Delaunay triangles
-  bool is_cloud = false;           ///< faces of the input, if any, were not used: triangles are no manifold
-  std::vector<Vector3> normals;    ///< consistently oriented (outward or inward), unit length
-  SurfaceGraph graph;              ///< mesh edges, or a neighbour graph of the cloud
-  std::vector<Index> original;     ///< input index of each point
+  /** The triangles before long sides were split, by which a map is judged; empty where none were. */
+  std::vector<Triangle> unsplit;
+  bool is_cloud = false;        ///< faces of the input, if any, were not used: triangles are no manifold
+  std::vector<Vector3> normals; ///< consistently oriented (outward or inward), unit length
+  SurfaceGraph graph;           ///< mesh edges, or a neighbour graph of the cloud, and links between parts
+  std::vector<Index> part_of;   ///< number of the part that each point is of; empty where there is one part
+  std::vector<Index> original;  ///< input index of each point, or of one near by where there is none
   /** For each input point the point here that stands for it, no_index where it was left out. Several may share one: a
    * noisy or very large cloud is solved on a thinned-out one. */
   std::vector<Index> representatives;

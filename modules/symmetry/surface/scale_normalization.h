@@ -16,5 +16,9 @@ namespace symmetry {
 void
 normalizeScale(PreparedSurface& surface);
 
+/** \brief The same for all points of a surface that was normalised by a part of them, with the lengths of its graph. */
+void
+renormalizeScale(PreparedSurface& surface);
+
 } // namespace symmetry
 } // namespace pcl

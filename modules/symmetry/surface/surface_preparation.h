@@ -19,6 +19,11 @@ namespace symmetry {
 PreparedSurface
 prepareSurface(UsablePoints usable, const SymmetryParameters& parameters, const ContactTest& contact);
 
+/** \brief A cloud as it stands: all points but the far ones, with edges to the nearest neighbours whatever they touch,
+ * and normals up to sign. Enough to see whether it is its own mirror image in space. */
+PreparedSurface
+prepareAsItStands(const Surface& cloud, const SymmetryParameters& parameters, const NeighbourSearch& search);
+
 /** \brief Both steps at once. */
 PreparedSurface
 prepareSurface(const Surface& surface,

@@ -29,20 +29,19 @@ TEST_F(FileContentTest, RefusesWhatIsNoFileWithBytes)
   const auto complaint = [](const std::string& name) {
     return messageOf<IOException>([&name] { FileContent file(name); });
   };
-  EXPECT_EQ(complaint(write("empty", "")), ": " + path("empty") + ": is empty");
-  EXPECT_EQ(complaint(path("")), ": " + path("") + ": is a directory");
-  EXPECT_EQ(complaint(path("none")), ": " + path("none") + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(complaint(write("empty", "")), path("empty") + ": is empty");
+  EXPECT_EQ(complaint(path("")), path("") + ": is a directory");
+  EXPECT_EQ(complaint(path("none")), path("none") + ": cannot be opened: No such file or directory");
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
-  EXPECT_EQ(complaint(path("pipe")), ": " + path("pipe") + ": is not a regular file")
-      << "and does not wait for a writer";
+  EXPECT_EQ(complaint(path("pipe")), path("pipe") + ": is not a regular file") << "and does not wait for a writer";
 }
 
 TEST_F(FileContentTest, ComplaintsNameThePlace)
 {
   const FileContent file(write("a", "x"));
-  EXPECT_EQ(messageOf<IOException>([&] { file.fail("is odd"); }), ": " + path("a") + ": is odd");
-  EXPECT_EQ(messageOf<IOException>([&] { file.failAtLine(3, "is odd"); }), ": " + path("a") + ": line 3: is odd");
-  EXPECT_EQ(messageOf<IOException>([&] { file.failAtByte(0, "is odd"); }), ": " + path("a") + ": byte 0: is odd");
+  EXPECT_EQ(messageOf<IOException>([&] { file.fail("is odd"); }), path("a") + ": is odd");
+  EXPECT_EQ(messageOf<IOException>([&] { file.failAtLine(3, "is odd"); }), path("a") + ": line 3: is odd");
+  EXPECT_EQ(messageOf<IOException>([&] { file.failAtByte(0, "is odd"); }), path("a") + ": byte 0: is odd");
 }
 
 } // namespace

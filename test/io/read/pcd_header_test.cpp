@@ -43,7 +43,7 @@ protected:
   complaint(const Lines& changes) const
   {
     const std::string message = messageOf<IOException>([&] { header(text(changes)); });
-    const std::size_t place = (": " + path("a.pcd") + ": ").size();
+    const std::size_t place = (path("a.pcd") + ": ").size();
     return message.size() > place ? message.substr(place) : message;
   }
 };

@@ -23,7 +23,7 @@ protected:
   complaint(const std::string& content) const
   {
     const std::string message = messageOf<IOException>([&] { header(content); });
-    const std::size_t place = (": " + path("a.ply") + ": ").size();
+    const std::size_t place = (path("a.ply") + ": ").size();
     return message.size() > place ? message.substr(place) : message;
   }
 };

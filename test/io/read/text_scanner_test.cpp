@@ -128,7 +128,7 @@ TEST_F(TextScannerTest, ComplaintsNameLineAndWord)
     const FileContent file = text("\n" + line);
     TextScanner scanner(file);
     scanner.nextLine();
-    return messageOf<IOException>([&] { read(scanner); }).substr(2); // behind PCL's ": "
+    return messageOf<IOException>([&] { read(scanner); });
   };
   const auto number = [](TextScanner& s) {
     s.number();

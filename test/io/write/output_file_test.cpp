@@ -4,6 +4,8 @@
 
 #include <pcl/exceptions.h>
 
+#include <csignal>
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -56,12 +58,68 @@ TEST_F(OutputFileTest, KeepsTheRightsOfTheFileItReplaces)
 TEST_F(OutputFileTest, RefusesPlacesThatCannotBeWritten)
 {
   EXPECT_EQ(messageOf<IOException>([this] { writeWholeFile(path("no/a"), "x"); }),
-            ": " + path("no/a") + ": cannot be written: No such file or directory");
+            path("no/a") + ": cannot be written: No such file or directory");
   EXPECT_EQ(messageOf<IOException>([this] { writeWholeFile(path(""), "x"); }),
-            ": " + path("") + ": cannot be written: Is a directory");
+            path("") + ": cannot be written: Is a directory");
   EXPECT_THROW(checkOutputFile(path("no/a")), IOException);
   EXPECT_NO_THROW(checkOutputFile(path("a")));
   EXPECT_EQ(countFiles(), 0U);
+}
+
+TEST_F(OutputFileTest, RefusesNamesThatAreTooLong)
+{
+  EXPECT_THROW(checkOutputFile(path(std::string(300, 'a'))), IOException);
+  EXPECT_THROW(writeWholeFile(path(std::string(300, 'a')), "x"), IOException);
+  EXPECT_NO_THROW(writeWholeFile(path(std::string(250, 'a')), "x")) << "though no name beside it is longer";
+  EXPECT_THROW(checkOutputFile(write("a", "x") + "/b"), IOException);
+  EXPECT_EQ(countFiles(), 2U);
+}
+
+TEST_F(OutputFileTest, ReplacesWhatAProcessThatWasKilledHasLeft)
+{
+  const std::string file = write("a", "old");
+  const auto begin = [&file] {
+    OutputFile begun(file);
+    begun.write("half");
+    ::raise(SIGKILL);
+  };
+  EXPECT_EXIT(begin(), testing::KilledBySignal(SIGKILL), "");
+  EXPECT_EQ(countFiles(), 2U) << "nobody can remove it then";
+  writeWholeFile(file, "new");
+  EXPECT_EQ(read(file), "new");
+  EXPECT_EQ(countFiles(), 1U);
+}
+
+TEST_F(OutputFileTest, WritersOfOneFileDoNotDisturbEachOther)
+{
+  OutputFile first(path("a"));
+  first.write("first");
+  OutputFile second(path("a"));
+  second.write("second");
+  EXPECT_EQ(countFiles(), 2U);
+  first.commit();
+  EXPECT_EQ(read(path("a")), "first");
+  second.commit();
+  EXPECT_EQ(read(path("a")), "second");
+  EXPECT_EQ(countFiles(), 1U);
+}
+
+TEST_F(OutputFileTest, WritesToWhatIsOpenAlready)
+{
+  const std::string log = write("log", "old ");
+  const int descriptor = ::open(log.c_str(), O_WRONLY | O_APPEND);
+  ASSERT_GE(descriptor, 0);
+  const std::string name = "/dev/fd/" + std::to_string(descriptor);
+  EXPECT_NO_THROW(checkOutputFile(name));
+  EXPECT_TRUE(areOneFile(name, name)) << "two outputs would be mixed";
+  writeWholeFile(name, "new");
+  ::close(descriptor);
+  EXPECT_EQ(read(log), "old new");
+  EXPECT_THROW(checkOutputFile(name), IOException) << "closed";
+
+  const int reading = ::open(log.c_str(), O_RDONLY);
+  EXPECT_THROW(checkOutputFile("/dev/fd/" + std::to_string(reading)), IOException);
+  ::close(reading);
 }
 
 TEST_F(OutputFileTest, WritesToDevicesDirectly)

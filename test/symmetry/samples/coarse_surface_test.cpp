@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <numeric>
 
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
@@ -107,6 +108,26 @@ TEST(DualTriangles, OneForThreeCellsThatMeet)
   // The second triangle joins the same cells in the same order, the third has two corners in one cell.
   const std::vector<Triangle> dual = dualTriangles({{0, 1, 2}, {4, 3, 0}, {1, 4, 2}}, owner);
   EXPECT_EQ(dual, (std::vector<Triangle>{{0, 1, 2}}));
+}
+
+TEST(DualTriangles, AreFewPerCellWhereFacesJoinAnythingWithAnything)
+{
+  constexpr Index n = 40;
+  std::vector<Index> owner(n);
+  std::iota(owner.begin(), owner.end(), 0);
+  std::vector<Triangle> all;
+  for (Index i = 0; i < n; ++i) {
+    for (Index j = i + 1; j < n; ++j) {
+      for (Index k = j + 1; k < n; ++k) {
+        all.push_back({i, j, k});
+      }
+    }
+  }
+  const std::vector<Triangle> dual = dualTriangles(all, owner);
+  EXPECT_LE(dual.size(), 8U * owner.size());
+  EXPECT_GE(dual.size(), 4U * owner.size());
+  EXPECT_EQ(dual.front(), all.front());
+  EXPECT_GT(dual.back()[0], n / 2) << "of all of them, not of the first ones";
 }
 
 } // namespace

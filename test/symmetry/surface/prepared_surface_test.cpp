@@ -59,8 +59,8 @@ TEST(PreparedSurface, KeepsTheLargestComponentInItsOrder)
   EXPECT_EQ(prepared.triangles, grid.triangles);
   EXPECT_EQ(prepared.summary.points, 37U);
   EXPECT_EQ(prepared.summary.non_finite, 1U);
-  EXPECT_EQ(prepared.summary.components, 2U);
-  EXPECT_EQ(prepared.summary.other_components, 1U);
+  EXPECT_EQ(prepared.summary.components, 1U);
+  EXPECT_EQ(prepared.summary.unused, 1U);
   EXPECT_EQ(prepared.summary.used, grid.size());
 }
 
@@ -71,7 +71,7 @@ TEST(PreparedSurface, APointFarAwayThatNoFaceUsesChangesNothing)
   more.points.push_back({1e30F, 0, 0});
   const PreparedSurface prepared = prepare(more);
   EXPECT_EQ(prepared.points, prepare(sphere).points);
-  EXPECT_EQ(prepared.summary.other_components, 1U);
+  EXPECT_EQ(prepared.summary.unused, 1U);
 }
 
 TEST(PreparedSurface, AComponentFarAwayCostsNoPrecision)
@@ -245,7 +245,8 @@ TEST(PreparedSurfaceRepresentatives, AreMissingForWhatIsLeftOutOfAMesh)
     EXPECT_EQ(prepared.representatives[moved(static_cast<Index>(v))], static_cast<Index>(v));
   }
   EXPECT_EQ(prepared.summary.used, grid.size());
-  EXPECT_EQ(prepared.summary.other_components, 4U);
+  EXPECT_EQ(prepared.summary.other_components, 3U);
+  EXPECT_EQ(prepared.summary.unused, 1U);
   EXPECT_EQ(prepared.summary.non_finite, 1U);
 }
 

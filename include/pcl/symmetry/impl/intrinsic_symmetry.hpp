@@ -1,14 +1,13 @@
 #pragma once
 
+#include <pcl/symmetry/impl/plain_exception.h>
 #include <pcl/symmetry/impl/surface_estimation.h>
 #include <pcl/symmetry/intrinsic_symmetry.h>
 
-#include <pcl/common/io.h>
 #include <pcl/conversions.h>
 #include <pcl/exceptions.h>
 #include <pcl/point_types.h>
 
-#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -43,12 +42,13 @@ searchNeighbours(search::Search<PointT>& search, const std::vector<Vector3>& poi
     (*cloud)[i].z = points[i][2];
   }
   search.setInputCloud(cloud);
-  std::vector<Index> neighbours(points.size() * static_cast<std::size_t>(k), no_index);
+  std::vector<Index> neighbours;
+  neighbours.reserve(points.size() * static_cast<std::size_t>(k));
   Indices found;
   std::vector<float> squared_distances;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const int count = search.nearestKSearch((*cloud)[i], k, found, squared_distances);
-    std::copy_n(found.begin(), count, neighbours.begin() + static_cast<std::ptrdiff_t>(i) * k);
+    appendNeighbours(points, k, count, found, squared_distances, neighbours);
   }
   return neighbours;
 }
@@ -69,18 +69,14 @@ void
 IntrinsicSymmetryEstimation<PointT>::setInputMesh(const PolygonMesh::ConstPtr& mesh)
 {
   if (!mesh) {
-    throw BadArgumentException("setInputMesh: no mesh");
+    throw symmetry::detail::PlainException<BadArgumentException>("setInputMesh: no mesh");
   }
-  for (const char* name : {"x", "y", "z"}) {
-    const int field = getFieldIndex(mesh->cloud, name);
-    // Conversion would leave zeros without a word.
-    if (field < 0 || mesh->cloud.fields[static_cast<std::size_t>(field)].datatype != PCLPointField::FLOAT32) {
-      throw BadArgumentException(std::string("setInputMesh: the mesh's cloud has no float field ") + name);
-    }
-  }
+  symmetry::detail::checkLayout(mesh->cloud);
   auto triangles = symmetry::detail::triangulatePolygons(*mesh);
   const auto cloud = make_shared<PointCloud>();
-  fromPCLPointCloud2(mesh->cloud, *cloud);
+  if (!mesh->cloud.data.empty()) {
+    fromPCLPointCloud2(mesh->cloud, *cloud);
+  }
   PCLBase<PointT>::setInputCloud(cloud);
   triangles_ = std::move(triangles);
 }
@@ -90,7 +86,8 @@ void
 IntrinsicSymmetryEstimation<PointT>::setSearchMethod(const SearchPtr& search)
 {
   if (search && search->getName() == "OrganizedNeighbor") {
-    throw BadArgumentException("setSearchMethod: OrganizedNeighbor searches rasters only");
+    throw symmetry::detail::PlainException<BadArgumentException>(
+        "setSearchMethod: OrganizedNeighbor searches rasters only");
   }
   search_ = search;
 }
@@ -101,6 +98,15 @@ IntrinsicSymmetryEstimation<PointT>::setKSearch(int k)
 {
   symmetry::SymmetryParameters parameters = parameters_;
   parameters.k_search = k;
+  setParameters(parameters);
+}
+
+template <typename PointT>
+void
+IntrinsicSymmetryEstimation<PointT>::setMethod(symmetry::Method method)
+{
+  symmetry::SymmetryParameters parameters = parameters_;
+  parameters.method = method;
   setParameters(parameters);
 }
 
@@ -131,7 +137,8 @@ void
 IntrinsicSymmetryEstimation<PointT>::compute(IntrinsicSymmetryResult& result)
 {
   if (!input_) {
-    throw InitFailedException("compute: neither setInputCloud nor setInputMesh was called");
+    throw symmetry::detail::PlainException<InitFailedException>(
+        "compute: neither setInputCloud nor setInputMesh was called");
   }
   symmetry::detail::NeighbourSearchFunction search;
   if (search_) {

@@ -6,7 +6,9 @@
 #include <pcl/symmetry/export.h>
 #include <pcl/symmetry/symmetry.h>
 
+#include <pcl/PCLPointCloud2.h>
 #include <pcl/PolygonMesh.h>
+#include <pcl/types.h>
 
 #include <functional>
 #include <vector>
@@ -28,6 +30,23 @@ estimateSelected(const Surface& surface,
                  const SymmetryParameters& parameters,
                  const NeighbourSearchFunction& search,
                  const ProgressCallback& progress);
+
+/** \brief Appends the answer of a search method for one point to the lists of all: k entries, nearest first, -1 where
+ * fewer were found. An answer that is not in order is put in order.
+ * \param[in] count as the search returned it
+ * \throws pcl::BadArgumentException more neighbours than were asked for, or none of the points */
+PCL_SYMMETRY_EXPORTS void
+appendNeighbours(const std::vector<Vector3>& points,
+                 int k,
+                 int count,
+                 const Indices& found,
+                 const std::vector<float>& squared_distances,
+                 std::vector<Index>& neighbours);
+
+/** \brief Refuses a cloud whose bytes are not laid out as its fields, sizes and steps say, or that has no float x y z.
+ * \throws pcl::BadArgumentException says what is wrong */
+PCL_SYMMETRY_EXPORTS void
+checkLayout(const PCLPointCloud2& cloud);
 
 /** \brief Polygons as triangle fans.
  * \throws pcl::BadArgumentException a polygon refers to a point that is not there */

@@ -2,6 +2,8 @@
 
 #include "io/read/surface_builder.h"
 
+#include <pcl/symmetry/impl/plain_exception.h>
+
 #include <boost/iostreams/device/array.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_streambuf.hpp>
@@ -46,10 +48,20 @@ private:
   int number_;
 };
 
+/** \brief A pipe does not say how much will come, and may never end. */
+constexpr std::size_t most_from_stream = std::size_t{4} << 30;
+
+constexpr std::size_t first_capacity = std::size_t{1} << 16;
+
 } // namespace
 
 FileContent::FileContent(const std::string& path) : path_(path)
 {
+  if (path == "-") {
+    path_ = "standard input";
+    readStream(STDIN_FILENO);
+    return;
+  }
   // Without O_NONBLOCK, opening a named pipe would wait for its writer.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status = {};
@@ -62,10 +74,15 @@ FileContent::FileContent(const std::string& path) : path_(path)
   if (status.st_size == 0)
     fail("is empty");
 
-  const auto expected = static_cast<std::size_t>(status.st_size);
+  readRegular(file.number(), static_cast<std::size_t>(status.st_size));
+}
+
+void
+FileContent::readRegular(int descriptor, std::size_t expected)
+{
   bytes_.reset(new char[expected]); // not make_unique: zeroing first would cost as much as reading
   while (size_ < expected) {
-    const ssize_t count = ::read(file.number(), bytes_.get() + size_, expected - size_);
+    const ssize_t count = ::read(descriptor, bytes_.get() + size_, expected - size_);
     if (count < 0 && errno == EINTR)
       continue;
     if (count < 0)
@@ -77,11 +94,43 @@ FileContent::FileContent(const std::string& path) : path_(path)
 }
 
 void
+FileContent::readStream(int descriptor)
+{
+  std::size_t capacity = first_capacity;
+  grow(capacity);
+  for (;;) {
+    const ssize_t count = ::read(descriptor, bytes_.get() + size_, capacity - size_);
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      fail(std::string("cannot be read: ") + std::strerror(errno));
+    if (count == 0)
+      break;
+    size_ += static_cast<std::size_t>(count);
+    if (size_ == capacity && capacity >= most_from_stream)
+      fail("holds more than " + std::to_string(most_from_stream) + " bytes: save it to a file first");
+    if (size_ == capacity)
+      grow(capacity *= 2);
+  }
+  if (size_ == 0)
+    fail("is empty");
+}
+
+/** \brief Makes room for so many bytes; those that are there stay. */
+void
+FileContent::grow(std::size_t capacity)
+{
+  std::unique_ptr<char[]> larger(new char[capacity]);
+  std::copy_n(bytes_.get(), size_, larger.get());
+  bytes_ = std::move(larger);
+}
+
+void
 FileContent::unpackGzip()
 {
   namespace io = boost::iostreams;
   const std::uint64_t most = mostUnpacked(size_);
-  std::size_t capacity = std::size_t{1} << 16;
+  std::size_t capacity = first_capacity;
   std::size_t unpacked = 0;
   std::unique_ptr<char[]> bytes(new char[capacity]);
   try {
@@ -114,7 +163,7 @@ FileContent::unpackGzip()
 void
 FileContent::fail(const std::string& reason) const
 {
-  throw IOException(path_ + ": " + reason);
+  throw detail::PlainException<IOException>(path_ + ": " + reason);
 }
 
 void

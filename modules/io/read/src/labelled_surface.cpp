@@ -2,6 +2,7 @@
 
 #include "io/read/scalar_type.h"
 
+#include <pcl/symmetry/impl/plain_exception.h>
 #include <pcl/symmetry/surface_io.h>
 
 #include <pcl/exceptions.h>
@@ -33,7 +34,7 @@ integerType(const PCLPointField& field, const std::string& path)
   case PCLPointField::UINT32:
     return ScalarType::UInt32;
   default:
-    throw IOException(path + ": field '" + field.name + "' holds no integers");
+    throw detail::PlainException<IOException>(path + ": field '" + field.name + "' holds no integers");
   }
 }
 
@@ -45,7 +46,8 @@ integerField(
   const auto field = std::find_if(cloud.fields.begin(), cloud.fields.end(),
                                   [&name](const PCLPointField& f) { return f.name == name; });
   if (field == cloud.fields.end())
-    throw IOException(path + ": has no field '" + name + "', so it was not written by pcl_intrinsic_symmetry");
+    throw detail::PlainException<IOException>(path + ": has no field '" + name +
+                                              "', so it was not written by pcl_intrinsic_symmetry");
   const ScalarType type = integerType(*field, path);
   const char* const first = reinterpret_cast<const char*>(cloud.data.data()) + field->offset;
   std::vector<std::int64_t> values;
@@ -53,8 +55,8 @@ integerField(
   for (std::size_t i = 0; i < points; ++i) {
     values.push_back(loadInteger(first + i * cloud.point_step, type, false));
     if (values.back() < least || values.back() >= end)
-      throw IOException(path + ": " + name + " " + std::to_string(values.back()) + " of point " + std::to_string(i) +
-                        " is out of range");
+      throw detail::PlainException<IOException>(path + ": " + name + " " + std::to_string(values.back()) +
+                                                " of point " + std::to_string(i) + " is out of range");
   }
   return values;
 }
@@ -92,9 +94,9 @@ readMesh(const std::string& path)
   else if (ending == ".pcd")
     status = PCDReader().read(path, mesh.cloud);
   else
-    throw IOException(path + ": is neither .ply nor .pcd");
+    throw detail::PlainException<IOException>(path + ": is neither .ply nor .pcd");
   if (status < 0 || mesh.cloud.data.empty())
-    throw IOException(path + ": cannot be read, or holds no points");
+    throw detail::PlainException<IOException>(path + ": cannot be read, or holds no points");
   toFloatPositions(mesh.cloud);
   return mesh;
 }

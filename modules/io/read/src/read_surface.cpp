@@ -31,7 +31,7 @@ void
 checkBeginning(const FileContent& file)
 {
   const std::string_view beginning = file.view().substr(0, 2);
-  if (beginning == "\x1F\x8B")
+  if (file.isGzip())
     file.fail("is compressed by gzip: its name must end in .gz");
   if (beginning == "\xFF\xFE" || beginning == "\xFE\xFF")
     file.fail("is text in UTF-16: only ASCII and UTF-8 are read");
@@ -54,11 +54,20 @@ checkResolution(const FileContent& file, const Surface& surface)
 Surface
 readSurface(const std::string& path)
 {
+  return readSurface(path, "");
+}
+
+Surface
+readSurface(const std::string& path, const std::string& format)
+{
   FileContent file(path);
-  std::string ending = fileEnding(path);
+  std::string ending = format.empty() ? fileEnding(path) : "." + format;
   if (ending == ".gz") {
     file.unpackGzip();
     ending = fileEnding(path.substr(0, path.size() - ending.size()));
+  }
+  else if (!format.empty() && file.isGzip()) {
+    file.unpackGzip();
   }
   checkBeginning(file);
   Reading reading;

@@ -11,5 +11,11 @@ checkWritable(const std::string& path)
   checkOutputFile(path);
 }
 
+void
+removeUnfinishedFiles() noexcept
+{
+  removePartFiles();
+}
+
 } // namespace symmetry
 } // namespace pcl

@@ -3,6 +3,7 @@
 #include "io/write/record_writer.h"
 #include "io/write/result_check.h"
 
+#include <pcl/symmetry/impl/plain_exception.h>
 #include <pcl/symmetry/surface_io.h>
 
 #include <pcl/exceptions.h>
@@ -151,7 +152,8 @@ writeAxis(const std::string& path, const Surface& surface, const SymmetryResult&
   else if (ending == ".csv")
     writeWholeFile(path, toCsv(surface, result.axis));
   else
-    throw IOException(path + ": unknown ending '" + ending + "': an axis is written as .ply, .pcd or .csv");
+    throw detail::PlainException<IOException>(path + ": unknown ending '" + ending +
+                                              "': an axis is written as .ply, .pcd or .csv");
 }
 
 } // namespace symmetry

@@ -4,6 +4,7 @@
 #include "io/write/result_check.h"
 #include "picture/palette.h"
 
+#include <pcl/symmetry/impl/plain_exception.h>
 #include <pcl/symmetry/surface_io.h>
 
 #include <pcl/exceptions.h>
@@ -127,7 +128,8 @@ writeLabelledSurface(const std::string& path, const Surface& surface, const Symm
   else if (ending == ".pcd")
     writeWholeFile(path, toPcd(surface, result));
   else
-    throw IOException(path + ": unknown ending '" + ending + "': a labelled surface is written as .ply or .pcd");
+    throw detail::PlainException<IOException>(path + ": unknown ending '" + ending +
+                                              "': a labelled surface is written as .ply or .pcd");
 }
 
 } // namespace symmetry

@@ -6,6 +6,7 @@
 #include "picture/png.h"
 #include "picture/rasterizer.h"
 
+#include <pcl/symmetry/impl/plain_exception.h>
 #include <pcl/symmetry/surface_io.h>
 
 #include <pcl/exceptions.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl {
 namespace symmetry {
@@ -138,20 +140,56 @@ chooseLines(const Surface& surface, const SymmetryResult& result, std::vector<Pa
   return lines;
 }
 
+using ShadedFace = std::array<ShadedCorner, 3>;
+
+/** \brief Depth of the corner that is nearest to the viewer. */
+float
+nearestDepth(const ShadedFace& face)
+{
+  const float depth = std::max({face[0].place.depth, face[1].place.depth, face[2].place.depth});
+  return std::isfinite(depth) ? depth : std::numeric_limits<float>::lowest();
+}
+
+/** \brief Draws faces, which are so large that there is no room for all of them, the nearest first: they hide most of
+ * those that are not drawn. */
+template <typename FaceOf>
+void
+drawNearestFirst(std::size_t count, FaceOf face_of, Rasterizer& canvas)
+{
+  std::vector<std::pair<float, std::size_t>> order;
+  order.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+    order.emplace_back(-nearestDepth(face_of(i)), i);
+  std::sort(order.begin(), order.end());
+  for (const auto& [depth, i] : order)
+    canvas.fillTriangle(face_of(i));
+}
+
 void
 drawMesh(const Drawing& drawing, const Projection& projection, Rasterizer& canvas)
 {
   const Surface& surface = drawing.surface;
   std::vector<ShadedCorner> corners(surface.size());
   for (std::size_t i = 0; i < surface.size(); ++i)
-    corners[i] = {projection.project(surface.points[i]), drawing.colours[i], projection.brightness(drawing.normals[i])};
-  for (const Triangle& triangle : surface.triangles) {
-    const auto point = [&](std::size_t corner) {
-      return static_cast<std::size_t>(triangle[corner]);
+    if (isFinite(surface.points[i]))
+      corners[i] = {projection.project(surface.points[i]), drawing.colours[i],
+                    projection.brightness(drawing.normals[i])};
+    else
+      corners[i].place.x = std::numeric_limits<float>::quiet_NaN(); // its faces are not drawn
+  const std::size_t count = surface.triangles.size();
+  const auto face_of = [&](std::size_t i) -> ShadedFace {
+    const auto corner = [&](std::size_t k) -> const ShadedCorner& {
+      return corners[static_cast<std::size_t>(surface.triangles[i][k])];
     };
-    if (isFinite(surface.points[point(0)]) && isFinite(surface.points[point(1)]) && isFinite(surface.points[point(2)]))
-      canvas.fillTriangle({corners[point(0)], corners[point(1)], corners[point(2)]});
-  }
+    return {corner(0), corner(1), corner(2)};
+  };
+  double pixels = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+    pixels += canvas.pixelsOf(face_of(i));
+  if (!canvas.hasRoomFor(pixels))
+    return drawNearestFirst(count, face_of, canvas);
+  for (std::size_t i = 0; i < count; ++i)
+    canvas.fillTriangle(face_of(i));
 }
 
 void
@@ -241,7 +279,8 @@ writePicture(const std::string& path, const Surface& surface, const SymmetryResu
 {
   checkResult(result, surface.size());
   if (fileEnding(path) != ".png")
-    throw IOException(path + ": unknown ending '" + fileEnding(path) + "': a picture is written as .png");
+    throw detail::PlainException<IOException>(path + ": unknown ending '" + fileEnding(path) +
+                                              "': a picture is written as .png");
   const std::vector<PartnerPair> pairs = findPartnerPairs(surface, result);
   const PictureView view = chooseView(surface, result, pairs);
 

@@ -42,8 +42,11 @@ describeInput(const std::string& file, const InputSummary& input)
           {"non_finite", input.non_finite},
           {"outside_indices", input.outside_indices},
           {"outliers", input.outliers},
+          {"unused", input.unused},
           {"other_components", input.other_components},
           {"components", input.components},
+          {"linked_parts", input.linked_parts},
+          {"part_links", input.part_links},
           {"bridges", input.bridges},
           {"distrusted_edges", input.distrusted_edges},
           {"read_as_cloud", input.read_as_cloud},
@@ -128,7 +131,27 @@ describeSeconds(const std::vector<std::pair<std::string, double>>& steps)
   return seconds;
 }
 
+/** \brief A file name need not be UTF-8, but JSON must be. */
+void
+writeJson(const std::string& path, const Json& json)
+{
+  writeWholeFile(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
 } // namespace
+
+void
+writeFailureReport(const std::string& path,
+                   const std::string& input_file,
+                   const SymmetryParameters& parameters,
+                   const std::string& reason)
+{
+  writeJson(path, {{"status", "failed"},
+                   {"message", reason},
+                   {"input", {{"file", input_file}}},
+                   {"parameters", describeParameters(parameters)},
+                   {"version", PCL_SYMMETRY_VERSION}});
+}
 
 void
 writeReport(const std::string& path,
@@ -154,8 +177,7 @@ writeReport(const std::string& path,
   report["parameters"] = describeParameters(parameters);
   report["seconds"] = describeSeconds(result.seconds);
   report["version"] = PCL_SYMMETRY_VERSION;
-  // A file name need not be UTF-8, but JSON must be.
-  writeWholeFile(path, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  writeJson(path, report);
 }
 
 } // namespace symmetry

@@ -1,6 +1,7 @@
 #include "symmetry/refine/patch_alignment.h"
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "base/statistics.h"
 #include "base/vector_math.h"
 #include "symmetry/refine/point_map.h"
@@ -18,18 +19,20 @@ namespace {
 std::vector<Index>
 withinTwoSteps(const SurfaceGraph& graph, Index cell)
 {
+  // Of a surface there are some forty, most of them twice; around a hub that all others touch there are all.
+  constexpr std::size_t most_listed = 512;
   std::vector<Index> cells{cell};
   std::size_t begin = 0;
   for (int step = 0; step < 2; ++step) {
     const std::size_t end = cells.size();
-    for (; begin < end; ++begin) {
+    for (; begin < end && cells.size() < most_listed; ++begin) {
       const Index from = cells[begin];
       cells.insert(cells.end(), graph.neighbours.begin() + graph.offsets[from],
                    graph.neighbours.begin() + graph.offsets[from + 1]);
     }
   }
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  cells.resize(std::min(cells.size(), most_listed));
+  sortUnique(cells);
   return cells;
 }
 

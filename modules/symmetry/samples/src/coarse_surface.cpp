@@ -1,7 +1,9 @@
 #include "symmetry/samples/coarse_surface.h"
 
 #include "base/centroid.h"
+#include "base/heartbeat.h"
 #include "base/renumbering.h"
+#include "base/sort_unique.h"
 #include "base/vector_math.h"
 #include "cloud/local_delaunay.h"
 #include "symmetry/samples/hole_cells.h"
@@ -148,8 +150,19 @@ dualTriangles(const std::vector<Triangle>& triangles, const std::vector<Index>& 
       dual.push_back(lowestFirst(owners));
     }
   }
-  std::sort(dual.begin(), dual.end());
-  dual.erase(std::unique(dual.begin(), dual.end()), dual.end());
+  sortUnique(dual);
+  // A surface has two per cell. Faces that join anything with anything have thousands, and no sense of orientation that
+  // every other one of them would not have as well.
+  constexpr std::size_t most_per_cell = 8;
+  const std::size_t most =
+      most_per_cell * static_cast<std::size_t>(owner.empty() ? 0 : *std::max_element(owner.begin(), owner.end()) + 1);
+  if (dual.size() > most) {
+    const std::size_t step = (dual.size() + most - 1) / most;
+    for (std::size_t i = 0; i * step < dual.size(); ++i) {
+      dual[i] = dual[i * step];
+    }
+    dual.resize((dual.size() + step - 1) / step);
+  }
   return dual;
 }
 
@@ -161,6 +174,7 @@ coarsenSurface(const PreparedSurface& surface, std::size_t samples)
   for (const Index v : coarse.cells.vertices) {
     coarse.points.push_back(surface.points[v]);
   }
+  heartbeat();
   coarse.normals = cellNormals(surface, coarse.cells);
   coarse.graph = joinCells(surface.graph, coarse.cells);
   if (surface.is_cloud) {
@@ -168,9 +182,11 @@ coarsenSurface(const PreparedSurface& surface, std::size_t samples)
   }
   else {
     coarse.triangles = dualTriangles(surface.triangles, coarse.cells.owner);
+    heartbeat();
     coarse.areas = cellAreas(surface, coarse.cells);
     coarse.conductances = cellConductances(surface, coarse);
   }
+  heartbeat();
   coarse.at_hole = cellsAtHoles(surface, coarse.cells, sampleSpacing(coarse));
   return coarse;
 }

@@ -1,5 +1,7 @@
 #include "symmetry/samples/laplacian_basis.h"
 
+#include "base/heartbeat.h"
+
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
@@ -65,6 +67,7 @@ public:
   void
   perform_op(const double* from, double* to) const
   {
+    heartbeat();
     Eigen::Map<Eigen::VectorXd>(to, rows()) = factor_.solve(Eigen::Map<const Eigen::VectorXd>(from, cols()));
   }
 

@@ -1,5 +1,6 @@
 #include "symmetry/search/map_regrowth.h"
 
+#include "base/sort_unique.h"
 #include "base/vector_math.h"
 
 #include <algorithm>
@@ -64,14 +65,16 @@ trianglesWithinTwoSteps(const LandmarkSurface& landmarks,
                         const std::vector<std::vector<std::size_t>>& at_landmark,
                         std::size_t landmark)
 {
-  std::vector<std::size_t> patch;
+  std::vector<Index> corners;
   for (const std::size_t t : at_landmark[landmark]) {
-    for (const Index corner : landmarks.triangles[t]) {
-      patch.insert(patch.end(), at_landmark[corner].begin(), at_landmark[corner].end());
-    }
+    corners.insert(corners.end(), landmarks.triangles[t].begin(), landmarks.triangles[t].end());
   }
-  std::sort(patch.begin(), patch.end());
-  patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
+  sortUnique(corners);
+  std::vector<std::size_t> patch;
+  for (const Index corner : corners) {
+    patch.insert(patch.end(), at_landmark[corner].begin(), at_landmark[corner].end());
+  }
+  sortUnique(patch);
   return patch;
 }
 
@@ -197,8 +200,7 @@ private:
         images.insert(images.end(), around.begin(), around.end());
       }
     }
-    std::sort(images.begin(), images.end());
-    images.erase(std::unique(images.begin(), images.end()), images.end());
+    sortUnique(images);
     return images;
   }
 

@@ -62,7 +62,8 @@ measureFaces(const PreparedSurface& surface, const std::vector<Index>& partners,
   std::size_t torn = 0;
   std::size_t inverted = 0;
   std::size_t mapped = 0;
-  for (const Triangle& t : surface.triangles) {
+  // Pieces of a face that was split are torn less than the face.
+  for (const Triangle& t : surface.unsplit.empty() ? surface.triangles : surface.unsplit) {
     const Triangle image{partners[t[0]], partners[t[1]], partners[t[2]]};
     if (image[0] == no_index || image[1] == no_index || image[2] == no_index) {
       continue;

@@ -1,8 +1,10 @@
 #include "symmetry/surface/input_cleaning.h"
 
+#include "base/heartbeat.h"
 #include "base/vector_math.h"
 #include "symmetry/surface/cloud_cleaning.h"
 #include "symmetry/surface/mesh_cleaning.h"
+#include "symmetry/surface/mesh_subdivision.h"
 #include "symmetry/surface/scale_normalization.h"
 
 #include <algorithm>
@@ -60,11 +62,27 @@ dropFaces(PreparedSurface& surface)
 } // namespace
 
 UsablePoints
+distinctPoints(const Surface& cloud, const SymmetryParameters& parameters, const NeighbourSearch& search)
+{
+  UsablePoints usable;
+  PreparedSurface& prepared = usable.surface;
+  prepared = takeIn(cloud, parameters.normals == NormalSource::Given);
+  dropNonFinitePoints(prepared);
+  dropFarOutliers(prepared);
+  normalizeScale(prepared);
+  mergeRepeatedPoints(prepared);
+  dropFarParts(cloud.points, parameters, search, prepared);
+  usable.neighbours = search(prepared.points, parameters.k_search);
+  return usable;
+}
+
+UsablePoints
 usablePoints(const Surface& surface,
              const SymmetryParameters& parameters,
              const NeighbourSearch& search,
              NoiseInterpretation interpretation,
-             FaceUse faces)
+             FaceUse faces,
+             std::size_t points)
 {
   const bool has_normals = !surface.hasFaces() && parameters.normals == NormalSource::Given;
   UsablePoints usable;
@@ -77,11 +95,17 @@ usablePoints(const Surface& surface,
   }
   else {
     mergeRepeatedPoints(prepared);
+    heartbeat();
     dropDegenerateTriangles(prepared.triangles);
     dropRepeatedTriangles(prepared.size(), prepared.triangles);
+    dropUnusedPoints(prepared);
   }
+  heartbeat();
   normalizeScale(prepared);
   if (!prepared.is_cloud) {
+    if (points > 0) {
+      splitLongSides(prepared, points);
+    }
     prepared.normals = vertexNormals(prepared.points, prepared.triangles);
     if (faces == FaceUse::Connection) {
       return usable;
@@ -89,6 +113,7 @@ usablePoints(const Surface& surface,
     dropFaces(prepared);
   }
   mergeRepeatedPoints(prepared);
+  heartbeat();
   dropFarParts(surface.points, parameters, search, prepared);
   if (parameters.outlier_deviations > 0.0F) {
     dropStatisticalOutliers(prepared, parameters, search);

@@ -79,6 +79,21 @@ dropRepeatedTriangles(std::size_t n, std::vector<Triangle>& triangles)
   triangles.resize(kept);
 }
 
+void
+dropUnusedPoints(PreparedSurface& surface)
+{
+  std::vector<char> is_used(surface.size(), 0);
+  for (const Triangle& t : surface.triangles) {
+    std::for_each(t.begin(), t.end(), [&](Index v) { is_used[v] = 1; });
+  }
+  if (std::find(is_used.begin(), is_used.end(), 0) == is_used.end()) {
+    return;
+  }
+  const std::size_t before = countLeftOut(surface);
+  keepPoints(surface, is_used);
+  surface.summary.unused += countLeftOut(surface) - before;
+}
+
 std::vector<Vector3>
 vertexNormals(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles)
 {

@@ -22,8 +22,12 @@ keepPoints(PreparedSurface& surface, const std::vector<char>& keep)
   if (!surface.normals.empty()) {
     keepEntries(surface.normals, kept);
   }
+  if (!surface.part_of.empty()) {
+    keepEntries(surface.part_of, kept);
+  }
   renumber(surface.representatives, numbers);
   renumberTriangles(surface.triangles, numbers);
+  renumberTriangles(surface.unsplit, numbers);
 }
 
 std::size_t

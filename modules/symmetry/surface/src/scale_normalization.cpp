@@ -29,22 +29,44 @@ boxOfLargestComponent(const PreparedSurface& surface)
   return box;
 }
 
+/** Moves and scales points so that a box is centred at the origin and its longest side is 1; returns the scale. */
+float
+fitIntoUnitBox(const BoundingBox& box, std::vector<Vector3>& points)
+{
+  const double extent = box.longestSide();
+  const double scale = extent > 0.0 ? 1.0 / extent : 1.0;
+  const std::array<double, 3> centre = box.centre();
+  for (Vector3& p : points) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k] = static_cast<float>((p[k] - centre[k]) * scale);
+    }
+  }
+  return static_cast<float>(scale);
+}
+
 } // namespace
 
 void
 normalizeScale(PreparedSurface& surface)
 {
   const BoundingBox box = surface.triangles.empty() ? boundingBox(surface.points) : boxOfLargestComponent(surface);
-  const double extent = box.longestSide();
-  const double scale = extent > 0.0 ? 1.0 / extent : 1.0;
-  const std::array<double, 3> centre = box.centre();
-  for (Vector3& p : surface.points) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      p[k] = static_cast<float>((p[k] - centre[k]) * scale);
-    }
+  surface.scale = fitIntoUnitBox(box, surface.points);
+  surface.centre = box.centre();
+}
+
+void
+renormalizeScale(PreparedSurface& surface)
+{
+  const BoundingBox box = boundingBox(surface.points);
+  const std::array<double, 3> shift = box.centre();
+  for (std::size_t k = 0; k < 3; ++k) {
+    surface.centre[k] += shift[k] / double{surface.scale};
   }
-  surface.scale = static_cast<float>(scale);
-  surface.centre = centre;
+  const float factor = fitIntoUnitBox(box, surface.points);
+  surface.scale *= factor;
+  for (float& length : surface.graph.lengths) {
+    length *= factor;
+  }
 }
 
 } // namespace symmetry

@@ -1,6 +1,13 @@
 #include "symmetry/surface/surface_preparation.h"
 
+#include "base/heartbeat.h"
 #include "base/renumbering.h"
+#include "base/statistics.h"
+#include "base/vector_math.h"
+#include "cloud/cloud_normals.h"
+#include "symmetry/surface/mesh_subdivision.h"
+#include "symmetry/surface/part_links.h"
+#include "symmetry/surface/scale_normalization.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -27,18 +34,10 @@ reconstructCloud(PreparedSurface& surface,
   surface.summary.distrusted_edges = cloud.distrusted_edges;
 }
 
-/** Restricts the surface to the largest component of its graph. */
+/** Restricts the surface to some of its points, and its graph. */
 void
-keepLargestComponent(PreparedSurface& surface)
+keepPointsAndEdges(PreparedSurface& surface, const std::vector<char>& keep)
 {
-  const Components components = connectedComponents(surface.graph);
-  surface.summary.components += components.sizes.size();
-  if (components.sizes.size() < 2) {
-    return;
-  }
-  std::vector<char> keep(surface.size());
-  std::transform(components.component_of.begin(), components.component_of.end(), keep.begin(),
-                 [](Index component) { return component == 0; });
   const std::vector<Index> numbers = numbersOfKept(keep);
   SurfaceGraph graph;
   for (std::size_t v = 0; v < surface.size(); ++v) {
@@ -56,6 +55,99 @@ keepLargestComponent(PreparedSurface& surface)
   surface.summary.other_components += countLeftOut(surface) - before;
 }
 
+/** How far points of each part are apart that are neighbours: of a mesh as far as its split sides are, of a cloud the
+ * median edge. */
+std::vector<float>
+spacingsOfParts(const PreparedSurface& surface, const Components& parts)
+{
+  if (!surface.is_cloud) {
+    return std::vector<float>(parts.sizes.size(), evenSpacing(surface, points_of_a_surface));
+  }
+  std::vector<std::vector<float>> lengths(parts.sizes.size());
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    for (const auto [w, length] : surface.graph.edges(v)) {
+      lengths[parts.component_of[v]].push_back(length);
+    }
+  }
+  std::vector<float> spacings(lengths.size());
+  std::transform(lengths.begin(), lengths.end(), spacings.begin(),
+                 [](std::vector<float>& of_part) { return medianInPlace(of_part); });
+  return spacings;
+}
+
+/** Links the parts of each object, where there are several. */
+void
+linkPartsOfObjects(PreparedSurface& surface, PartGaps gaps)
+{
+  const Components parts = connectedComponents(surface.graph);
+  surface.summary.components += parts.sizes.size();
+  if (parts.sizes.size() < 2) {
+    return;
+  }
+  const LinkedParts linked = linkParts(surface.points, parts, spacingsOfParts(surface, parts), gaps);
+  std::vector<GraphEdge> edges = linked.links;
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    for (const auto [w, length] : surface.graph.edges(v)) {
+      edges.push_back({static_cast<Index>(v), w, length});
+    }
+  }
+  surface.graph = buildGraph(surface.size(), edges);
+  surface.summary.part_links = linked.links.size();
+  surface.part_of = parts.component_of;
+}
+
+/** Restricts the surface to the object with the largest area, of a cloud to the one with most points. */
+void
+keepLargestObject(PreparedSurface& surface)
+{
+  const Components objects = connectedComponents(surface.graph);
+  if (objects.sizes.size() < 2) {
+    return;
+  }
+  std::vector<double> sizes(objects.sizes.begin(), objects.sizes.end());
+  if (!surface.is_cloud) {
+    sizes.assign(sizes.size(), 0.0);
+    for (const Triangle& t : surface.triangles) {
+      const Vector3& a = surface.points[t[0]];
+      sizes[objects.component_of[t[0]]] += norm(cross(surface.points[t[1]] - a, surface.points[t[2]] - a));
+    }
+  }
+  const auto largest = static_cast<Index>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  std::vector<char> keep(surface.size());
+  std::transform(objects.component_of.begin(), objects.component_of.end(), keep.begin(),
+                 [largest](Index object) { return object == largest; });
+  keepPointsAndEdges(surface, keep);
+}
+
+/** Numbers the parts of what was kept from 0 on; the box that set the scale was that of one of them. */
+void
+numberParts(PreparedSurface& surface)
+{
+  std::vector<Index> parts = surface.part_of;
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  if (parts.size() < 2) {
+    surface.part_of.clear();
+    return;
+  }
+  for (Index& part : surface.part_of) {
+    part = static_cast<Index>(std::lower_bound(parts.begin(), parts.end(), part) - parts.begin());
+  }
+  surface.summary.linked_parts = parts.size();
+  renormalizeScale(surface);
+}
+
+/** Once there is a graph: links, leaves out and counts. */
+void
+finish(PreparedSurface& prepared, PartGaps gaps)
+{
+  linkPartsOfObjects(prepared, gaps);
+  keepLargestObject(prepared);
+  numberParts(prepared);
+  prepared.summary.used = prepared.representatives.size() - countLeftOut(prepared);
+  prepared.summary.working_points = prepared.size();
+}
+
 } // namespace
 
 PreparedSurface
@@ -68,9 +160,21 @@ prepareSurface(UsablePoints usable, const SymmetryParameters& parameters, const 
   else {
     prepared.graph = buildMeshGraph(prepared.points, prepared.triangles);
   }
-  keepLargestComponent(prepared);
-  prepared.summary.used = prepared.representatives.size() - countLeftOut(prepared);
-  prepared.summary.working_points = prepared.size();
+  heartbeat();
+  finish(prepared, PartGaps::Narrow);
+  return prepared;
+}
+
+PreparedSurface
+prepareAsItStands(const Surface& cloud, const SymmetryParameters& parameters, const NeighbourSearch& search)
+{
+  UsablePoints usable = distinctPoints(cloud, parameters, search);
+  PreparedSurface prepared = std::move(usable.surface);
+  if (prepared.normals.empty()) {
+    prepared.normals = estimateNormals(prepared.points, usable.neighbours, parameters.threads);
+  }
+  prepared.graph = buildNeighbourGraph(prepared.points, usable.neighbours, 0.0F);
+  finish(prepared, PartGaps::Any);
   return prepared;
 }
 

@@ -1,0 +1,62 @@
+/** \file
+ * \brief Planes that a surface is its own mirror image in, as it stands in space.
+ */
+#pragma once
+
+#include "symmetry/mirror/plane_reflection.h"
+#include "symmetry/surface/prepared_surface.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Settings of the search for mirror planes; lengths are shares of the diagonal of the bounding box. */
+struct PlaneSearchSettings {
+  std::size_t directions = 600;     ///< of normals over half a sphere: 6 degrees apart, what the alignment reaches over
+  std::size_t aligned = 6;          ///< of the best directions, distinct ones
+  float distinct = 0.15F;           ///< radians between the normals of distinct planes
+  float hopeless = 0.04F;           ///< mean distance of the images from the surface above which nothing is aligned
+  int rounds = 12;                  ///< of the alignment
+  float tolerance = 0.005F;         ///< within which an image lies on the surface
+  float promising_share = 0.6F;     ///< of the area after the first alignment; what fits less is given up
+  float least_share = 0.95F;        ///< of the area that must come to lie on the surface: the rest is worn or fitted on
+  float least_displacement = 0.02F; ///< mean distance from the plane: a sheet lies in its own plane and maps to itself
+};
+
+/** \brief Evenly spread samples of a surface that stand for their surroundings; arrays have one entry each. */
+struct AreaSamples {
+  std::vector<Vector3> points; ///< the first ones spread over the whole surface, as farthest points do
+  std::vector<Vector3> normals;
+  std::vector<float> areas; ///< they sum up to 1
+
+  std::size_t
+  size() const
+  {
+    return points.size();
+  }
+};
+
+/** \brief A plane, and how well the surface is its own mirror image in it. */
+struct MirrorFit {
+  PlaneReflection plane;
+  float share = 0.0F;        ///< of the area whose image lies on the surface, within the tolerance
+  float residual = 0.0F;     ///< mean distance of the images from the surface, cut at the tolerance
+  float displacement = 0.0F; ///< mean distance from the plane
+};
+
+/** \brief Planes in which the surface is its own mirror image but for a twentieth of its area, the best first.
+ *
+ * The mirror plane of a body goes through its centroid: planes through it in all directions are compared by a distance
+ * field on a grid (P. Felzenszwalb, D. Huttenlocher: Distance transforms of sampled functions, Theory of Computing 8,
+ * 2012), the best are aligned as by iterated closest points (Y. Chen, G. Medioni, 1992 \cite chen1992modelling) with
+ * the weights of a robust estimator, since some parts may lack a counterpart.
+ *
+ * \param[in] samples of the surface
+ */
+std::vector<MirrorFit>
+findMirrorPlanes(const AreaSamples& samples, const PreparedSurface& surface, const PlaneSearchSettings& settings);
+
+} // namespace symmetry
+} // namespace pcl

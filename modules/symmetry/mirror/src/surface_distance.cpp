@@ -1,0 +1,136 @@
+#include "symmetry/mirror/surface_distance.h"
+
+#include "base/statistics.h"
+#include "base/vector_math.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** The point of a triangle nearest to a place (C. Ericson, Real-time collision detection, 2005, section 5.1.5: by the
+ * Voronoi region of the triangle that the place is in). */
+Vector3
+nearestOfTriangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const Vector3 ab = b - a;
+  const Vector3 ac = c - a;
+  const float d1 = dot(ab, p - a);
+  const float d2 = dot(ac, p - a);
+  if (d1 <= 0.0F && d2 <= 0.0F) {
+    return a;
+  }
+  const float d3 = dot(ab, p - b);
+  const float d4 = dot(ac, p - b);
+  if (d3 >= 0.0F && d4 <= d3) {
+    return b;
+  }
+  const float d5 = dot(ab, p - c);
+  const float d6 = dot(ac, p - c);
+  if (d6 >= 0.0F && d5 <= d6) {
+    return c;
+  }
+  const float at_c = d1 * d4 - d3 * d2;
+  if (at_c <= 0.0F && d1 >= 0.0F && d3 <= 0.0F) {
+    return a + (d1 / (d1 - d3)) * ab;
+  }
+  const float at_b = d5 * d2 - d1 * d6;
+  if (at_b <= 0.0F && d2 >= 0.0F && d6 <= 0.0F) {
+    return a + (d2 / (d2 - d6)) * ac;
+  }
+  const float at_a = d3 * d6 - d5 * d4;
+  if (at_a <= 0.0F && d4 >= d3 && d5 >= d6) {
+    return b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
+  }
+  const float sum = at_a + at_b + at_c;
+  return sum > 0.0F ? a + (at_b / sum) * ab + (at_c / sum) * ac : a;
+}
+
+std::vector<Vector3>
+middlesOfTriangles(const PreparedSurface& surface)
+{
+  std::vector<Vector3> middles;
+  for (const Triangle& t : surface.triangles) {
+    middles.push_back((1.0F / 3.0F) * (surface.points[t[0]] + surface.points[t[1]] + surface.points[t[2]]));
+  }
+  return middles;
+}
+
+std::vector<float>
+radiiOfTriangles(const PreparedSurface& surface, const std::vector<Vector3>& middles)
+{
+  std::vector<float> radii;
+  for (std::size_t i = 0; i < middles.size(); ++i) {
+    float radius = 0.0F;
+    for (const Index v : surface.triangles[i]) {
+      radius = std::max(radius, distance(middles[i], surface.points[v]));
+    }
+    radii.push_back(radius);
+  }
+  return radii;
+}
+
+/** How far the neighbours of each point of a cloud are. */
+std::vector<float>
+medianEdges(const SurfaceGraph& graph)
+{
+  std::vector<float> medians;
+  std::vector<float> lengths;
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    lengths.assign(graph.lengths.begin() + graph.offsets[v], graph.lengths.begin() + graph.offsets[v + 1]);
+    medians.push_back(quantileInPlace(lengths, 0.9));
+  }
+  return medians;
+}
+
+float
+largestOf(const std::vector<float>& values)
+{
+  return values.empty() ? 0.0F : *std::max_element(values.begin(), values.end());
+}
+
+} // namespace
+
+SurfaceDistance::SurfaceDistance(const PreparedSurface& surface, float reach)
+    : surface_(surface),
+      reach_(reach),
+      middles_(surface.is_cloud ? std::vector<Vector3>{} : middlesOfTriangles(surface)),
+      radii_(surface.is_cloud ? medianEdges(surface.graph) : radiiOfTriangles(surface, middles_)),
+      grid_(surface.is_cloud ? surface.points : middles_, reach + largestOf(radii_))
+{
+}
+
+float
+SurfaceDistance::distanceFromPlane(Index point, const Vector3& place) const
+{
+  const Vector3 way = place - surface_.points[point];
+  const float apart = norm(way);
+  return apart <= radii_[point] ? std::abs(dot(way, surface_.normals[point])) : apart;
+}
+
+float
+SurfaceDistance::at(const Vector3& place) const
+{
+  float least = reach_;
+  bool is_near = false;
+  grid_.visitAround(place, [&](Index i) {
+    if (surface_.is_cloud) {
+      const float apart = distanceFromPlane(i, place);
+      is_near = is_near || apart <= least;
+      least = std::min(least, apart);
+    }
+    else if (distance(middles_[i], place) <= least + radii_[i]) {
+      const Triangle& t = surface_.triangles[i];
+      const std::vector<Vector3>& points = surface_.points;
+      const float apart = distance(place, nearestOfTriangle(place, points[t[0]], points[t[1]], points[t[2]]));
+      is_near = is_near || apart <= least;
+      least = std::min(least, apart);
+    }
+  });
+  return is_near ? least : std::numeric_limits<float>::infinity();
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,42 @@
+/** \file
+ * \brief How far places are from a surface, and which of its points is nearest.
+ */
+#pragma once
+
+#include "base/vector_math.h"
+#include "cloud/point_grid.h"
+#include "symmetry/surface/prepared_surface.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Distances of places from a surface near by.
+ *
+ * Of a mesh from its triangles. Of a cloud from its points, or from the plane of a point that is no farther than its own
+ * neighbours are: between points there is surface. */
+class SurfaceDistance {
+public:
+  /** \param[in] surface referred to, not copied
+   * \param[in] reach largest distance that is told */
+  SurfaceDistance(const PreparedSurface& surface, float reach);
+
+  /** \brief Distance of a place from the surface, infinity beyond the reach. */
+  float
+  at(const Vector3& place) const;
+
+private:
+  float
+  distanceFromPlane(Index point, const Vector3& place) const;
+
+  const PreparedSurface& surface_;
+  float reach_;
+  std::vector<Vector3> middles_; ///< of the triangles of a mesh
+  std::vector<float> radii_;     ///< of the triangles around their middles; of a cloud: median edge of each point
+  PointGrid grid_;               ///< of the middles, or of the points of a cloud
+};
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,121 @@
+#include "symmetry/mirror_method.h"
+
+#include "base/bounding_box.h"
+#include "base/centroid.h"
+#include "base/statistics.h"
+#include "geodesic/farthest_point_sampling.h"
+#include "symmetry/map_delivery.h"
+#include "symmetry/mirror/mirror_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+float
+diagonalOf(const PreparedSurface& surface)
+{
+  return static_cast<float>(boundingBox(surface.points).diagonal());
+}
+
+/** Between the points of a sparse cloud the surface is known to a part of their distance only. */
+float
+toleranceFor(const PreparedSurface& surface, const PlaneSearchSettings& settings)
+{
+  constexpr float known_between_points = 0.25F; // of the distance of neighbours
+  const float tolerance = settings.tolerance * diagonalOf(surface);
+  return surface.is_cloud ? std::max(tolerance, known_between_points * median(surface.graph.lengths)) : tolerance;
+}
+
+MirrorMap
+mapByPlane(const SampledSurface& sampled, const PlaneReflection& plane, const MirrorSettings& settings)
+{
+  const PreparedSurface& surface = sampled.surface;
+  const float close = std::max(toleranceFor(surface, settings.planes), median(surface.graph.lengths));
+  const float reach = std::max(close, settings.reach * diagonalOf(surface));
+  return mapByMirror(surface, plane, close, reach, sampled.threads);
+}
+
+/** The heights over the plane; what lies in it is on neither side. */
+std::vector<float>
+sidesOfPlane(const PreparedSurface& surface, const PlaneReflection& plane)
+{
+  constexpr float rounding = 1e-5F; // surfaces are at unit scale
+  std::vector<float> sides;
+  for (const Vector3& p : surface.points) {
+    const float height = plane.height(p);
+    sides.push_back(std::abs(height) < rounding ? 0.0F : height);
+  }
+  return sides;
+}
+
+std::vector<MirrorFit>
+planesThatFit(const PreparedSurface& surface, const AreaSamples& samples, const MirrorSettings& settings)
+{
+  PlaneSearchSettings search = settings.planes;
+  search.tolerance = toleranceFor(surface, settings.planes) / diagonalOf(surface);
+  return findMirrorPlanes(samples, surface, search);
+}
+
+} // namespace
+
+std::vector<MirrorFit>
+mirrorPlanesOf(const SampledSurface& sampled, const MirrorSettings& settings)
+{
+  const CoarseSurface& coarse = sampled.coarse;
+  return planesThatFit(sampled.surface, {coarse.points, coarse.normals, coarse.areas}, settings);
+}
+
+std::vector<MirrorFit>
+mirrorPlanesOf(const PreparedSurface& cloud, std::size_t samples, const MirrorSettings& settings)
+{
+  AreaSamples even;
+  for (const Index v : farthestPointSampling(cloud.graph, farthestFromCentroid(cloud.points), samples).vertices) {
+    even.points.push_back(cloud.points[v]);
+    even.normals.push_back(cloud.normals[v]);
+  }
+  even.areas.assign(even.size(), 1.0F / static_cast<float>(std::max<std::size_t>(1, even.size())));
+  return planesThatFit(cloud, even, settings);
+}
+
+MapEstimate
+estimateByMirror(const SampledSurface& sampled,
+                 const std::vector<MirrorFit>& planes,
+                 const SymmetryParameters& parameters,
+                 const MirrorSettings& settings)
+{
+  const MirrorFit& best = planes.front();
+  MirrorMap map = mapByPlane(sampled, best.plane, settings);
+  MapEstimate estimate;
+  estimate.status = SymmetryStatus::Symmetric;
+  estimate.confidence = best.share;
+  estimate.map_confidence = best.share;
+  estimate.supported_confidence = best.share;
+  estimate.trust = best.share;
+  estimate.diameter = sampled.landmarks.diameter;
+  estimate.measures = {{"mirror_share", best.share}, {"mirror_residual", best.residual}};
+  estimate.is_unsupported.assign(sampled.surface.size(), 0);
+  const float reach = settings.reach * diagonalOf(sampled.surface);
+  for (const float gap : map.gaps) {
+    const float support = std::clamp(1.0F - gap / std::max(reach, 1e-6F), 0.0F, 1.0F);
+    estimate.support.push_back(support);
+    estimate.confidences.push_back(best.share * support);
+  }
+  estimate.partners = std::move(map.partners);
+  estimate.side_function = sidesOfPlane(sampled.surface, best.plane);
+  describeMap(sampled, estimate);
+  for (std::size_t k = 0; !parameters.sparse_only && parameters.alternatives > 1 && k < planes.size() &&
+                          k < static_cast<std::size_t>(parameters.alternatives);
+       ++k) {
+    estimate.alternatives.push_back(
+        {mapByPlane(sampled, planes[k].plane, settings).partners, planes[k].residual, planes[k].share, true});
+  }
+  return estimate;
+}
+
+} // namespace symmetry
+} // namespace pcl

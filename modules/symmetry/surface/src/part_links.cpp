@@ -1,0 +1,238 @@
+#include "symmetry/surface/part_links.h"
+
+#include "base/bounding_box.h"
+#include "base/statistics.h"
+#include "base/union_find.h"
+#include "base/vector_math.h"
+#include "cloud/point_grid.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+constexpr float widest_gap = 0.1F;    // of the size of the surface, where points are close: the width of a limb
+constexpr float size_of_gap = 0.5F;   // of the smaller side: a head floats over a trunk, two bodies stand side by side
+constexpr float sparse_gap = 3.0F;    // spacings of the smaller side: sparse points are no parts of their own
+constexpr float near_shortest = 1.5F; // length of a link over that of the shortest between the same parts
+
+constexpr float all_there_is = 64.0F; // surfaces are at unit scale, parts farther away than a few units are dropped
+
+using PartPair = std::pair<Index, Index>;
+
+/** The nearest ways between points of parts that are in different groups, within a distance: for every point and every
+ * other part, by pairs of parts. Points of one group are passed over: they are met from the other side. */
+std::map<PartPair, std::vector<GraphEdge>>
+waysBetweenParts(const std::vector<Vector3>& points,
+                 const std::vector<Index>& part_of,
+                 const std::vector<Index>& group_of,
+                 float reach,
+                 Index passed_over = no_index)
+{
+  std::map<PartPair, std::vector<GraphEdge>> ways;
+  const PointGrid grid(points, reach);
+  std::vector<GraphEdge> nearest; // of one point, one per part near by
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const Index group = group_of[part_of[v]];
+    if (group == passed_over) {
+      continue;
+    }
+    nearest.clear();
+    grid.visitAround(points[v], [&](Index w) {
+      const float apart = distance(points[v], points[w]);
+      if (group_of[part_of[w]] == group || apart > reach) {
+        return;
+      }
+      const auto known = std::find_if(nearest.begin(), nearest.end(),
+                                      [&](const GraphEdge& way) { return part_of[way.b] == part_of[w]; });
+      if (known == nearest.end()) {
+        nearest.push_back({static_cast<Index>(v), w, apart});
+      }
+      else if (apart < known->length) {
+        known->b = w;
+        known->length = apart;
+      }
+    });
+    for (const GraphEdge& way : nearest) {
+      ways[std::minmax(part_of[way.a], part_of[way.b])].push_back(way);
+    }
+  }
+  return ways;
+}
+
+float
+shortestOf(const std::vector<GraphEdge>& ways)
+{
+  float shortest = std::numeric_limits<float>::infinity();
+  for (const GraphEdge& way : ways) {
+    shortest = std::min(shortest, way.length);
+  }
+  return shortest;
+}
+
+class PartLinker {
+public:
+  PartLinker(const std::vector<Vector3>& points, const Components& parts, std::vector<float> spacings)
+      : points_(points), parts_(parts), groups_(parts.sizes.size()), spacings_(std::move(spacings))
+  {
+    boxes_.resize(parts.sizes.size());
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      boxes_[parts.component_of[v]].extend(points[v]);
+    }
+  }
+
+  /** Links all parts with points nearer than those of the denser one are apart. */
+  void
+  linkTouching()
+  {
+    for (const auto& [pair, ways] : waysBetweenParts(points_, parts_.component_of, groupNumbers(), typicalSpacing())) {
+      const float spacing = std::min(spacings_[pair.first], spacings_[pair.second]);
+      if (shortestOf(ways) <= spacing) {
+        link(pair, ways, spacing);
+      }
+    }
+  }
+
+  /** One round of links across narrow gaps: every group to the nearest others. Whether there were any. */
+  bool
+  linkAcrossNarrowGaps()
+  {
+    return linkAcrossGaps(std::max(widest_gap, sparse_gap * typicalSpacing()), no_index,
+                          [this](Index a, Index b) { return std::min(bridgedBy(a), bridgedBy(b)); });
+  }
+
+  /** The same across gaps however wide, until all is one group. */
+  void
+  linkAll()
+  {
+    for (float reach = widest_gap; countGroups() > 1 && reach < all_there_is; reach *= 2.0F) {
+      while (linkAcrossGaps(reach, largestGroup(), [reach](Index, Index) { return reach; })) {
+      }
+    }
+  }
+
+  LinkedParts
+  finish()
+  {
+    return {std::move(links_), groupNumbers()};
+  }
+
+private:
+  /** \param[in] widest called with two groups: the widest gap between them that is bridged */
+  template <typename Widest>
+  bool
+  linkAcrossGaps(float reach, Index passed_over, Widest widest)
+  {
+    const std::vector<Index> before = groupNumbers();
+    const auto all_ways = waysBetweenParts(points_, parts_.component_of, before, reach, passed_over);
+    std::vector<float> shortest(before.size(), std::numeric_limits<float>::infinity()); // per group
+    std::vector<std::pair<PartPair, float>> gaps;
+    for (const auto& [pair, ways] : all_ways) {
+      const float gap = shortestOf(ways);
+      if (gap <= widest(before[pair.first], before[pair.second])) {
+        gaps.push_back({pair, gap});
+        for (const Index part : {pair.first, pair.second}) {
+          shortest[before[part]] = std::min(shortest[before[part]], gap);
+        }
+      }
+    }
+    for (const auto& [pair, gap] : gaps) {
+      // Not the shortest alone: what lies between two others belongs to both.
+      if (gap <= near_shortest * std::max(shortest[before[pair.first]], shortest[before[pair.second]])) {
+        link(pair, all_ways.at(pair), near_shortest * gap);
+      }
+    }
+    return !gaps.empty();
+  }
+
+  std::size_t
+  countGroups()
+  {
+    const std::vector<Index> numbers = groupNumbers();
+    std::size_t count = 0;
+    for (std::size_t part = 0; part < numbers.size(); ++part) {
+      count += numbers[part] == static_cast<Index>(part) ? 1U : 0U;
+    }
+    return count;
+  }
+
+  Index
+  largestGroup()
+  {
+    const std::vector<Index> numbers = groupNumbers();
+    std::vector<Index> points(numbers.size(), 0);
+    for (std::size_t part = 0; part < numbers.size(); ++part) {
+      points[numbers[part]] += parts_.sizes[part];
+    }
+    return static_cast<Index>(std::max_element(points.begin(), points.end()) - points.begin());
+  }
+
+  std::vector<Index>
+  groupNumbers()
+  {
+    std::vector<Index> numbers(boxes_.size());
+    for (std::size_t part = 0; part < numbers.size(); ++part) {
+      numbers[part] = groups_.find(static_cast<Index>(part));
+    }
+    return numbers;
+  }
+
+  /** The widest gap at which a group still belongs to what is beyond. */
+  float
+  bridgedBy(Index group) const
+  {
+    const float by_size = std::min(widest_gap, size_of_gap * static_cast<float>(boxes_[group].diagonal()));
+    return std::max(by_size, sparse_gap * spacings_[group]);
+  }
+
+  float
+  typicalSpacing() const
+  {
+    return median(spacings_);
+  }
+
+  void
+  link(const PartPair& pair, const std::vector<GraphEdge>& ways, float longest)
+  {
+    const Index a = groups_.find(pair.first);
+    const Index b = groups_.find(pair.second);
+    groups_.join(a, b);
+    boxes_[std::min(a, b)].extend(boxes_[std::max(a, b)].low);
+    boxes_[std::min(a, b)].extend(boxes_[std::max(a, b)].high);
+    spacings_[std::min(a, b)] = std::max(spacings_[a], spacings_[b]);
+    std::copy_if(ways.begin(), ways.end(), std::back_inserter(links_),
+                 [longest](const GraphEdge& way) { return way.length <= longest; });
+  }
+
+  const std::vector<Vector3>& points_;
+  const Components& parts_;
+  UnionFind groups_;
+  std::vector<BoundingBox> boxes_; ///< at the lowest part of each group: of the whole group
+  std::vector<float> spacings_;    ///< the same: the widest of its parts
+  std::vector<GraphEdge> links_;
+};
+
+} // namespace
+
+LinkedParts
+linkParts(const std::vector<Vector3>& points,
+          const Components& parts,
+          const std::vector<float>& spacings,
+          PartGaps gaps)
+{
+  PartLinker linker(points, parts, spacings);
+  linker.linkTouching();
+  while (linker.linkAcrossNarrowGaps()) {
+  }
+  if (gaps == PartGaps::Any) {
+    linker.linkAll();
+  }
+  return linker.finish();
+}
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,81 @@
+// Writes what the fuzz targets begin with: fuzz_seeds FOLDER makes FOLDER/read, headers, options and estimation.
+#include "model/write_model.h"
+#include "support/shapes.h"
+#include "support/temporary_folder.h"
+
+#include <iostream>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+void
+write(const std::filesystem::path& file, const std::string& content)
+{
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << content;
+}
+
+/** A small surface as each format, behind the byte that names the format. */
+void
+writeFiles(const std::filesystem::path& folder)
+{
+  const std::string formats[] = {"pcd", "ply", "obj", "off"}; // in the order of fuzz_read.cpp
+  const ScratchFolder scratch;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::string file = scratch.file("a." + formats[i]);
+    writePlainSurface(file, sphereMesh(0));
+    write(folder / formats[i], static_cast<char>(i) + readBytes(file));
+  }
+  write(folder / "ascii.ply", "\x01ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                              "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                              "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  write(folder / "ascii.pcd", std::string(1, '\0') + "VERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\n"
+                                                     "COUNT 1 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ascii\n"
+                                                     "0 0 0 1\nnan 1 2 3\n");
+  write(folder / "solid.stl", "\x04solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                              "endloop\nendfacet\nendsolid a\n");
+  write(folder / "faces.stl", '\x04' + std::string(80, ' ') + std::string("\x01\0\0\0", 4) + std::string(50, '\x3F'));
+  write(folder / "quads.obj", "\x02v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf -4//1 -3//1 -2//1 -1//1\n");
+}
+
+void
+writeOptions(const std::filesystem::path& folder)
+{
+  write(folder / "words", "input.ply\n--method\nstaged\n-k\n12\n--threads\n2\n-q\n--set\na\n--set\nb");
+  write(folder / "wrong", "--radius=nan\n-k12x\n--no-such\n--\n-\n--output=");
+  write(folder / "help", "-h");
+}
+
+void
+writeNoise(const std::filesystem::path& folder)
+{
+  // Data providers take from any bytes what they need.
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    std::string bytes;
+    unsigned state = seed;
+    for (int i = 0; i < 2000; ++i) {
+      state = state * 1664525U + 1013904223U;
+      bytes += static_cast<char>(state >> 24U);
+    }
+    write(folder / std::to_string(seed), bytes);
+  }
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  if (argc != 2) {
+    std::cerr << "usage: fuzz_seeds FOLDER\n";
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  writeFiles(folder / "read");
+  writeOptions(folder / "options");
+  writeNoise(folder / "headers");
+  writeNoise(folder / "estimation");
+  return 0;
+}

@@ -1,0 +1,62 @@
+#include "support/boxes.h"
+#include "support/graphs.h"
+#include "symmetry/mirror/mirror_map.h"
+#include "symmetry/surface/mesh_cleaning.h"
+
+#include <gtest/gtest.h>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+PreparedSurface
+chair()
+{
+  const Surface mesh = chairOfBoxes();
+  PreparedSurface surface;
+  surface.points = mesh.points;
+  surface.triangles = mesh.triangles;
+  surface.normals = vertexNormals(mesh.points, mesh.triangles);
+  surface.graph = meshGraph(mesh);
+  surface.part_of = connectedComponents(surface.graph).component_of;
+  return surface;
+}
+
+TEST(MapByMirror, SendsEveryCornerToItsImageOnTheTwinPart)
+{
+  const PreparedSurface surface = chair();
+  const MirrorMap map = mapByMirror(surface, {{1, 0, 0}, 0.0F}, 0.01F, 0.05F, 1);
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    ASSERT_NE(map.partners[v], no_index);
+    const Vector3& p = surface.points[v];
+    EXPECT_LT(distance(surface.points[map.partners[v]], {-p[0], p[1], p[2]}), 1e-6F) << v;
+    EXPECT_EQ(map.partners[map.partners[v]], static_cast<Index>(v));
+    EXPECT_LT(map.gaps[v], 1e-6F);
+  }
+}
+
+TEST(MapByMirror, LeavesOutWhatHasNothingInItsPlace)
+{
+  PreparedSurface surface = chair();
+  for (Vector3& p : surface.points) {
+    p[0] += p[0] < -0.22F && p[2] > 0.6F ? -0.2F : 0.0F; // the upper end of one arm rest and of the back
+  }
+  const MirrorMap map = mapByMirror(surface, {{1, 0, 0}, 0.0F}, 0.01F, 0.05F, 1);
+  std::size_t left_out = 0;
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    left_out += map.partners[v] == no_index ? 1U : 0U;
+    EXPECT_EQ(map.partners[v] == no_index, map.gaps[v] == 0.05F);
+  }
+  EXPECT_GT(left_out, 8U);
+  EXPECT_LT(left_out, surface.size() / 2);
+}
+
+TEST(MapByMirror, IsTheSameForAnyNumberOfThreads)
+{
+  const PreparedSurface surface = chair();
+  const PlaneReflection plane{normalized({1.0F, 0.1F, 0.0F}), 0.01F};
+  EXPECT_EQ(mapByMirror(surface, plane, 0.05F, 0.1F, 1).partners, mapByMirror(surface, plane, 0.05F, 0.1F, 3).partners);
+}
+
+} // namespace

@@ -1,0 +1,81 @@
+#include "base/bounding_box.h"
+#include "support/known_body.h"
+#include "support/shapes.h"
+#include "symmetry/mirror/plane_search.h"
+#include "symmetry/samples/coarse_surface.h"
+#include "symmetry/surface/surface_preparation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+std::vector<MirrorFit>
+planesOf(const Surface& mesh)
+{
+  const PreparedSurface surface = prepareSurface(mesh, SymmetryParameters{}, NeighbourSearch{});
+  const CoarseSurface coarse = coarsenSurface(surface, 800);
+  return findMirrorPlanes({coarse.points, coarse.normals, coarse.areas}, surface, PlaneSearchSettings{});
+}
+
+/** Turned about an axis that none of the shapes has. */
+Surface
+turned(Surface mesh)
+{
+  const float c = std::cos(0.7F);
+  const float s = std::sin(0.7F);
+  for (Vector3& p : mesh.points) {
+    p = {c * p[0] - s * p[1], 0.8F * (s * p[0] + c * p[1]) - 0.6F * p[2], 0.6F * (s * p[0] + c * p[1]) + 0.8F * p[2]};
+  }
+  return mesh;
+}
+
+TEST(FindMirrorPlanes, FindsThePlaneOfABodyAtRestInAnyPosition)
+{
+  const Model model = body(Body::Human, 0.0);
+  for (const Surface& mesh : {model.surface, turned(model.surface)}) {
+    const std::vector<MirrorFit> planes = planesOf(mesh);
+    ASSERT_EQ(planes.size(), 1U);
+    EXPECT_GT(planes[0].share, 0.99F);
+    // It swaps the partners, in the unit box too.
+    const PreparedSurface surface = prepareSurface(mesh, SymmetryParameters{}, NeighbourSearch{});
+    for (std::size_t v = 0; v < surface.size(); v += 7) {
+      const Index partner = model.partners[v];
+      if (partner != no_index) {
+        EXPECT_LT(distance(planes[0].plane.image(surface.points[v]), surface.points[partner]), 0.005F);
+      }
+    }
+  }
+}
+
+TEST(FindMirrorPlanes, FindsNoneOfABodyInAPose)
+{
+  EXPECT_TRUE(planesOf(bentHuman().surface).empty());
+}
+
+TEST(FindMirrorPlanes, FindsAllThreeOfAnEllipsoid)
+{
+  const std::vector<MirrorFit> planes = planesOf(turned(scaled(sphereMesh(4), {1.0F, 0.7F, 0.4F})));
+  ASSERT_EQ(planes.size(), 3U);
+  for (std::size_t a = 0; a < 3; ++a) {
+    EXPECT_GT(planes[a].share, 0.99F);
+    for (std::size_t b = 0; b < a; ++b) {
+      EXPECT_NEAR(dot(planes[a].plane.normal, planes[b].plane.normal), 0.0F, 0.02F);
+    }
+  }
+}
+
+TEST(FindMirrorPlanes, ASheetIsNoMirrorImageInItsOwnPlane)
+{
+  Surface sheet = gridMesh(40, 25);
+  for (Vector3& p : sheet.points) {
+    p[0] += 0.2F * p[1]; // a parallelogram has no mirror plane but its own
+  }
+  EXPECT_TRUE(planesOf(sheet).empty());
+}
+
+} // namespace
