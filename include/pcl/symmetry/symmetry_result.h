@@ -150,7 +150,9 @@ struct SymmetryResult {
   /** Per point, in [0, 1]: how well its surroundings have a counterpart, by how little the map changes distances there;
    * 0 in the parts that are left out and for points that took no part. */
   std::vector<float> support;
-  std::vector<Side> sides;        ///< per point; which half is called the source side is arbitrary
+  /** Per point. Robust method: which half is called the source side follows from the shape alone, and for most bodies
+   * does not change with the pose; staged method: it is arbitrary. */
+  std::vector<Side> sides;
   std::vector<Region> regions;    ///< per point
   std::vector<Polyline> axis;     ///< the symmetry axis curve, longest part first
   std::vector<Index> extremities; ///< ends of limbs: source, target, source, target; fewer where there are fewer limbs

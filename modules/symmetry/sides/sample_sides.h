@@ -19,8 +19,8 @@ namespace symmetry {
  * visualization, 2010 \cite kunegis2010spectral) agrees with most of them. A part is related to the rest along its whole
  * girth but across the axis hardly at all: sides do not swap at a waist, and are as clear on a thin limb as in the bulk.
  * \param[in] partners point that is the partner of each sample
- * \return per sample, of unit mean square, positive at the first sample that is far from its partner (samples come in
- * the order of farthest-point sampling, which does not depend on that of the points); near zero at the axis and where
+ * \return per sample, of unit mean square, positive on the side that chirality () names, or where that is zero at the
+ * first sample that is far from its partner; near zero at the axis and where
  * the map says nothing; all zero where nothing moves. Cost that of factorizing a sparse matrix of the samples. */
 std::vector<float>
 sampleSides(const SampledSurface& sampled, const std::vector<Index>& partners);

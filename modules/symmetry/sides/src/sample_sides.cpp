@@ -1,6 +1,7 @@
 #include "symmetry/sides/sample_sides.h"
 
 #include "base/vector_math.h"
+#include "symmetry/sides/side_names.h"
 #include "symmetry/sides/side_settings.h"
 
 #include <Eigen/SparseCholesky>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace pcl {
 namespace symmetry {
@@ -168,7 +170,11 @@ sampleSides(const SampledSurface& sampled, const std::vector<Index>& partners)
   Eigen::VectorXd sides = lowestEigenvector(relateSamples(sampled, partners), start);
   sides *= (sides(mover) < 0.0 ? -1.0 : 1.0) * std::sqrt(static_cast<double>(partners.size())) / sides.norm();
   const Eigen::VectorXf rounded = sides.cast<float>();
-  return {rounded.data(), rounded.data() + rounded.size()};
+  std::vector<float> named(rounded.data(), rounded.data() + rounded.size());
+  if (chirality(sampled, named) < 0.0) {
+    std::transform(named.begin(), named.end(), named.begin(), std::negate<>());
+  }
+  return named;
 }
 
 } // namespace symmetry
