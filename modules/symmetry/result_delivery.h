@@ -7,6 +7,7 @@
 #include "symmetry/surface/prepared_surface.h"
 
 #include <pcl/symmetry/surface.h>
+#include <pcl/symmetry/symmetry_parameters.h>
 #include <pcl/symmetry/symmetry_result.h>
 
 namespace pcl {
@@ -21,10 +22,13 @@ void
 leaveOutUnsupported(MapEstimate& estimate);
 
 /** \brief Fills in partners, sides, axis, matches, limbs and, of a partial map, the parts that are left out.
- * \param[in] label_axis see SymmetryParameters
+ * \param[in] parameters sparse_only: no dense map; label_axis
  * \param[in,out] result with the measures of the map and one entry per point of the input in every array */
 void
-deliverResult(const MapEstimate& estimate, const PreparedSurface& prepared, bool label_axis, SymmetryResult& result);
+deliverResult(const MapEstimate& estimate,
+              const PreparedSurface& prepared,
+              const SymmetryParameters& parameters,
+              SymmetryResult& result);
 
 } // namespace symmetry
 } // namespace pcl

@@ -35,9 +35,12 @@ MirrorMap
 mapByPlane(const SampledSurface& sampled, const PlaneReflection& plane, const MirrorSettings& settings)
 {
   const PreparedSurface& surface = sampled.surface;
-  const float close = std::max(toleranceFor(surface, settings.planes), median(surface.graph.lengths));
-  const float reach = std::max(close, settings.reach * diagonalOf(surface));
-  return mapByMirror(surface, plane, close, reach, sampled.threads);
+  const float reach = settings.reach * diagonalOf(surface);
+  // Of a mesh no farther than that: the sides of slivers are longer than points are apart.
+  const float spacing = median(surface.graph.lengths);
+  const float close =
+      std::max(toleranceFor(surface, settings.planes), surface.is_cloud ? spacing : std::min(spacing, reach));
+  return mapByMirror(surface, plane, close, std::max(close, reach), sampled.threads);
 }
 
 /** The heights over the plane; what lies in it is on neither side. */

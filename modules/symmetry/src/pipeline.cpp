@@ -107,9 +107,6 @@ estimateInto(SymmetryResult& result,
   if (interpretation.estimate.status == SymmetryStatus::PartlySymmetric) {
     leaveOutUnsupported(interpretation.estimate);
   }
-  if (parameters.sparse_only) {
-    interpretation.estimate.partners.clear(); // only now: interpretations are compared by their dense maps
-  }
   const PreparedSurface& prepared = interpretation.surface;
   const MapEstimate& estimate = interpretation.estimate;
   result.input = prepared.summary;
@@ -125,10 +122,9 @@ estimateInto(SymmetryResult& result,
   }
   // Judge once more: no map is better than what is measured on it.
   timer.start("quality", 0.85);
-  const MapSummary measured = estimate.partners.empty()
-                                  ? MapSummary{}
-                                  : measureMap(prepared, estimate.partners, estimate.diameter, parameters.threads);
+  MapSummary measured;
   if (!estimate.partners.empty()) {
+    measured = measureMap(prepared, estimate.partners, estimate.diameter, parameters.threads);
     const float twins = shareOfTwinParts(prepared, estimate.partners);
     result.confidence = std::min({result.confidence, confidenceBound(measured), twins});
   }
@@ -140,9 +136,9 @@ estimateInto(SymmetryResult& result,
   }
   boundByShareUsed(result);
   // Deliver: in numbers of the input's points; sides and the curve between them.
-  result.map = measured;
+  result.map = parameters.sparse_only ? MapSummary{} : measured;
   timer.start("axis", 0.9);
-  deliverResult(estimate, prepared, parameters.label_axis, result);
+  deliverResult(estimate, prepared, parameters, result);
 }
 
 } // namespace

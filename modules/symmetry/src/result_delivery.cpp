@@ -113,10 +113,12 @@ deliverAlternatives(const std::vector<AlternativeMap>& from, const ToInput& to_i
 }
 
 void
-deliverMap(const MapEstimate& estimate, const PreparedSurface& prepared, SymmetryResult& result)
+deliverMap(const MapEstimate& estimate, const PreparedSurface& prepared, bool is_dense, SymmetryResult& result)
 {
   const ToInput to_input(prepared);
-  to_input.scatter(to_input.renumbered(estimate.partners), result.partners);
+  if (is_dense) {
+    to_input.scatter(to_input.renumbered(estimate.partners), result.partners);
+  }
   to_input.scatter(estimate.confidences, result.confidences);
   to_input.scatter(estimate.regions, result.regions);
   to_input.scatter(estimate.support, result.support);
@@ -147,7 +149,11 @@ deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, bool 
   result.axis = traceAxis(prepared, side_function, is_partial ? estimate.is_unsupported : std::vector<char>{});
   for (Polyline& line : result.axis) {
     line.points = to_input.renumbered(std::move(line.points));
+    // Places between points are told of the nearest ones: several of the same.
     line.points.erase(std::unique(line.points.begin(), line.points.end()), line.points.end());
+    while (line.closed && line.points.size() > 1 && line.points.front() == line.points.back()) {
+      line.points.pop_back();
+    }
     for (AxisPoint& point : line.curve) {
       point.position = to_input.place(point.position);
       point.arc_length /= prepared.scale;
@@ -199,12 +205,15 @@ leaveOutUnsupported(MapEstimate& estimate)
 }
 
 void
-deliverResult(const MapEstimate& estimate, const PreparedSurface& prepared, bool label_axis, SymmetryResult& result)
+deliverResult(const MapEstimate& estimate,
+              const PreparedSurface& prepared,
+              const SymmetryParameters& parameters,
+              SymmetryResult& result)
 {
-  deliverMap(estimate, prepared, result);
+  deliverMap(estimate, prepared, !parameters.sparse_only, result);
   result.map.matched = static_cast<std::size_t>(
       std::count_if(result.partners.begin(), result.partners.end(), [](Index partner) { return partner != no_index; }));
-  deliverSides(estimate, prepared, label_axis, result);
+  deliverSides(estimate, prepared, parameters.label_axis, result);
   if (estimate.status == SymmetryStatus::PartlySymmetric) {
     deliverUnsupported(estimate, prepared, result);
   }

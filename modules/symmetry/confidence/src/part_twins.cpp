@@ -62,8 +62,8 @@ shareOfTwinParts(const PreparedSurface& surface, const std::vector<Index>& partn
     return 1.0F;
   }
   const std::vector<double> areas = areasOfPoints(surface);
-  std::vector<PartShape> parts(1 + static_cast<std::size_t>(*std::max_element(surface.part_of.begin(),
-                                                                              surface.part_of.end())));
+  std::vector<PartShape> parts(
+      1 + static_cast<std::size_t>(*std::max_element(surface.part_of.begin(), surface.part_of.end())));
   std::map<std::pair<Index, Index>, double> votes;
   double total = 0.0;
   for (std::size_t v = 0; v < surface.size(); ++v) {

@@ -75,7 +75,8 @@ twinsOfParts(const PreparedSurface& surface, const std::vector<Index>& partners)
 } // namespace
 
 MirrorMap
-mapByMirror(const PreparedSurface& surface, const PlaneReflection& plane, float tolerance, float reach, unsigned threads)
+mapByMirror(
+    const PreparedSurface& surface, const PlaneReflection& plane, float tolerance, float reach, unsigned threads)
 {
   constexpr std::size_t grain = 256;
   MirrorMap map{std::vector<Index>(surface.size(), no_index), std::vector<float>(surface.size(), reach)};

@@ -91,6 +91,10 @@ largestOf(const std::vector<float>& values)
   return values.empty() ? 0.0F : *std::max_element(values.begin(), values.end());
 }
 
+/** Surfaces are at unit scale, and long sides are split: wider triangles are slivers of which there were too many. They
+ * are met around their middles only. */
+constexpr float widest_radius = 0.06F;
+
 } // namespace
 
 SurfaceDistance::SurfaceDistance(const PreparedSurface& surface, float reach)
@@ -98,7 +102,7 @@ SurfaceDistance::SurfaceDistance(const PreparedSurface& surface, float reach)
       reach_(reach),
       middles_(surface.is_cloud ? std::vector<Vector3>{} : middlesOfTriangles(surface)),
       radii_(surface.is_cloud ? medianEdges(surface.graph) : radiiOfTriangles(surface, middles_)),
-      grid_(surface.is_cloud ? surface.points : middles_, reach + largestOf(radii_))
+      grid_(surface.is_cloud ? surface.points : middles_, reach + std::min(widest_radius, largestOf(radii_)))
 {
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace pcl {
@@ -183,6 +184,30 @@ findCrossings(const SurfaceGraph& graph, const std::vector<float>& values)
   return crossings;
 }
 
+/** What a graph of 10 neighbours, read both ways, has at nearly all points. */
+constexpr std::size_t enough_edges = 16;
+
+/** The edges that are among the shortest ones of either end: all of them in any usual graph; where points have hundreds
+ * of neighbours, pairs of crossings would be tens of thousands a point. */
+SurfaceGraph
+shortestEdges(const SurfaceGraph& graph)
+{
+  std::vector<GraphEdge> kept;
+  std::vector<std::pair<float, Index>> edges; // of one point
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    edges.clear();
+    for (const auto [w, length] : graph.edges(v)) {
+      edges.emplace_back(length, w);
+    }
+    const auto end = edges.begin() + static_cast<std::ptrdiff_t>(std::min(enough_edges, edges.size()));
+    std::partial_sort(edges.begin(), end, edges.end());
+    for (auto edge = edges.begin(); edge != end; ++edge) {
+      kept.push_back({static_cast<Index>(v), edge->second, edge->first});
+    }
+  }
+  return buildGraph(graph.size(), kept);
+}
+
 /** Links crossings that share a point or, where they are near, of which one has a neighbour of the other. */
 class CrossingLinks {
 public:
@@ -196,6 +221,12 @@ public:
       at_point_[crossings[i].to].push_back(static_cast<Index>(i));
       places_.push_back(placeOf(crossings[i], points));
       lengths_.push_back(distance(points[crossings[i].from], points[crossings[i].to]));
+    }
+    for (std::vector<Index>& at : at_point_) { // a hub of thousands would link them all with each other
+      const auto end = at.begin() + static_cast<std::ptrdiff_t>(std::min(enough_edges, at.size()));
+      std::partial_sort(at.begin(), end, at.end(),
+                        [this](Index i, Index j) { return std::tie(lengths_[i], i) < std::tie(lengths_[j], j); });
+      at.erase(end, at.end());
     }
     for (std::size_t v = 0; v < graph.size(); ++v) {
       link(static_cast<Index>(v), static_cast<Index>(v), unreachable);
@@ -262,8 +293,9 @@ placeOf(const ZeroCrossing& crossing, const std::vector<Vector3>& points)
 }
 
 std::vector<ZeroLine>
-cloudContours(const SurfaceGraph& graph, const std::vector<Vector3>& points, const std::vector<float>& values)
+cloudContours(const SurfaceGraph& whole, const std::vector<Vector3>& points, const std::vector<float>& values)
 {
+  const SurfaceGraph graph = shortestEdges(whole);
   const std::vector<ZeroCrossing> crossings = findCrossings(graph, values);
   const SurfaceGraph links = CrossingLinks(graph, crossings, points).graph();
   const std::vector<float> penalties = lengthPenalties(crossings, points);

@@ -72,7 +72,8 @@ distinctPoints(const Surface& cloud, const SymmetryParameters& parameters, const
   normalizeScale(prepared);
   mergeRepeatedPoints(prepared);
   dropFarParts(cloud.points, parameters, search, prepared);
-  usable.neighbours = search(prepared.points, parameters.k_search);
+  constexpr int enough = 16; // for planes; more would link everything with everything
+  usable.neighbours = search(prepared.points, std::min(parameters.k_search, enough));
   return usable;
 }
 

@@ -22,6 +22,8 @@ constexpr float near_shortest = 1.5F; // length of a link over that of the short
 
 constexpr float all_there_is = 64.0F; // surfaces are at unit scale, parts farther away than a few units are dropped
 
+constexpr int most_links = 8; // to one point, from another part: the way there is known by few
+
 using PartPair = std::pair<Index, Index>;
 
 /** The nearest ways between points of parts that are in different groups, within a distance: for every point and every
@@ -204,8 +206,12 @@ private:
     boxes_[std::min(a, b)].extend(boxes_[std::max(a, b)].low);
     boxes_[std::min(a, b)].extend(boxes_[std::max(a, b)].high);
     spacings_[std::min(a, b)] = std::max(spacings_[a], spacings_[b]);
-    std::copy_if(ways.begin(), ways.end(), std::back_inserter(links_),
-                 [longest](const GraphEdge& way) { return way.length <= longest; });
+    std::map<Index, int> links_to;
+    for (const GraphEdge& way : ways) {
+      if (way.length <= longest && ++links_to[way.b] <= most_links) {
+        links_.push_back(way);
+      }
+    }
   }
 
   const std::vector<Vector3>& points_;
