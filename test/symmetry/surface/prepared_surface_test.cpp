@@ -209,6 +209,17 @@ TEST(UsablePoints, WithoutAGivenNormalGetOneThatAgreesWithThoseAround)
   }
 }
 
+TEST(PreparedSurface, NoFaceIsLeftWhereAMeshThatWasSplitIsReadAsACloud)
+{
+  const PreparedSurface cloud = usablePoints(sphereMesh(3), SymmetryParameters{}, nearestNeighbours,
+                                             NoiseInterpretation::Close, FaceUse::Normals, 2000)
+                                    .surface;
+  EXPECT_GE(cloud.size(), 1500U);
+  EXPECT_TRUE(cloud.is_cloud);
+  EXPECT_TRUE(cloud.triangles.empty());
+  EXPECT_TRUE(cloud.unsplit.empty());
+}
+
 TEST(PreparedSurfaceRepresentatives, AreTheVerticesThemselvesOnAMesh)
 {
   const Surface mesh = sphereMesh(3);

@@ -50,6 +50,7 @@ void
 dropFaces(PreparedSurface& surface)
 {
   surface.triangles.clear();
+  surface.unsplit.clear();
   surface.is_cloud = true;
   surface.summary.read_as_cloud = true;
   std::vector<char> keep(surface.size());
