@@ -80,6 +80,13 @@ TEST_F(CommandLineTest, VersionIsOneLine)
   EXPECT_FALSE(goes_on);
 }
 
+TEST_F(CommandLineTest, RefusesWordsThatMessagesWouldNeverEndWith)
+{
+  for (const char* const word : {"--%canonical_option%", "--count=%value%", "-%prefix%", "--x%option%"}) {
+    EXPECT_THROW(read({word}), UsageError) << word;
+  }
+}
+
 TEST_F(CommandLineTest, RefusesWhatIsNoOption)
 {
   EXPECT_THROW(read({"--other"}), UsageError);

@@ -67,8 +67,8 @@ struct IntrinsicSymmetryResult : public symmetry::SymmetryResult {
  *   std::cout << "the partner of point 0 is " << result.partners[0] << '\n';
  * \endcode
  *
- * Points that are not finite, not among the indices or not in the largest component take no part: their partner is -1,
- * their side Side::None. Of points at one place the first stands for all. Indices of the result always refer to the
+ * Points that are not finite, not among the indices, of a mesh on no face, or not on the largest object (whose parts
+ * touch or lie close) take no part: their partner is -1, their side Side::None. Of points at one place the first stands for all. Indices of the result always refer to the
  * input. The same input and parameters give the same bytes for any number of threads. One object must not be used from
  * two threads at a time.
  *

@@ -22,6 +22,21 @@ has(const po::parsed_options& parsed, const char* name)
                      [name](const po::option& option) { return option.string_key == name; });
 }
 
+/** Boost.Program_options puts a wrong word into its message in place of %canonical_option% and the like, again and again
+ * where the word holds one itself: it would never end. No name of an option or a file needs one. */
+void
+refusePlaceholders(int argc, const char* const* argv)
+{
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    for (const char* const placeholder : {"%canonical_option%", "%option%", "%prefix%", "%value%"}) {
+      if (word.find(placeholder) != std::string::npos) {
+        throw UsageError("'" + word + "' holds " + placeholder + ", which no option and no name may");
+      }
+    }
+  }
+}
+
 } // namespace
 
 CommandLine::CommandLine(std::string program, std::string usage, std::string after_options)
@@ -46,6 +61,7 @@ CommandLine::addLast(OptionGroup group)
 bool
 CommandLine::read(int argc, const char* const* argv)
 try {
+  refusePlaceholders(argc, argv);
   const auto style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
   const po::parsed_options parsed = po::command_line_parser(argc, argv).options(options_).style(style).run();
   if (has(parsed, "help")) {

@@ -28,7 +28,8 @@ struct MirrorMap {
  * \param[in] reach distance beyond which a point is no partner
  */
 MirrorMap
-mapByMirror(const PreparedSurface& surface, const PlaneReflection& plane, float tolerance, float reach, unsigned threads);
+mapByMirror(
+    const PreparedSurface& surface, const PlaneReflection& plane, float tolerance, float reach, unsigned threads);
 
 } // namespace symmetry
 } // namespace pcl

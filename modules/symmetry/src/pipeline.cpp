@@ -33,33 +33,47 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
   return estimateRobust(prepared, parameters, settings, timer);
 }
 
-/** A cloud that is its own mirror image as it stands, whatever touches what; none where it is not. */
-std::optional<Interpretation>
-interpretAsItStands(const Surface& surface,
-                    const SymmetryParameters& parameters,
-                    const NeighbourSearch& search,
-                    StepTimer& timer)
-{
-  if (surface.hasFaces() || parameters.method == Method::Staged) {
-    return std::nullopt;
+/** A cloud with no faces to tell what touches what, understood as it stands in space. */
+class CloudAsItStands {
+public:
+  CloudAsItStands(const Surface& cloud, const SymmetryParameters& parameters, const NeighbourSearch& search)
+      : parameters_(parameters), surface_(prepareAsItStands(cloud, parameters, search))
+  {
   }
-  const RobustSettings settings;
-  PreparedSurface cloud = prepareAsItStands(surface, parameters, search);
-  if (cloud.size() < minimum_samples) {
-    return std::nullopt;
+
+  /** Whether its points are in parts even by their nearest neighbours: those of an object, more likely than of a body. */
+  bool
+  isInParts() const
+  {
+    return !surface_.part_of.empty();
   }
-  const std::vector<MirrorFit> planes = mirrorPlanesOf(cloud, settings.sampling.samples, settings.mirror);
-  if (planes.empty()) {
-    return std::nullopt;
+
+  /** The map that its mirror plane makes, if there is one that is more certain than a confidence. May be called once. */
+  std::optional<Interpretation>
+  mirrored(float confidence, StepTimer& timer)
+  {
+    const RobustSettings settings;
+    if (surface_.size() < minimum_samples) {
+      return std::nullopt;
+    }
+    const std::vector<MirrorFit> planes = mirrorPlanesOf(surface_, settings.sampling.samples, settings.mirror);
+    if (planes.empty() || planes.front().share <= confidence) {
+      return std::nullopt;
+    }
+    const SampledSurface sampled =
+        sampleSurface(surface_, settings.sampling, parameters_.metric, parameters_.threads, timer);
+    if (sampled.coarse.size() < minimum_samples) {
+      return std::nullopt;
+    }
+    timer.start("dense", 0.8);
+    MapEstimate estimate = estimateByMirror(sampled, planes, parameters_, settings.mirror);
+    return Interpretation{std::move(surface_), std::move(estimate)};
   }
-  const SampledSurface sampled = sampleSurface(cloud, settings.sampling, parameters.metric, parameters.threads, timer);
-  if (sampled.coarse.size() < minimum_samples) {
-    return std::nullopt;
-  }
-  timer.start("dense", 0.8);
-  MapEstimate estimate = estimateByMirror(sampled, planes, parameters, settings.mirror);
-  return Interpretation{std::move(cloud), std::move(estimate)};
-}
+
+private:
+  const SymmetryParameters& parameters_;
+  PreparedSurface surface_;
+};
 
 /** A map of a small part of the input is at most that part right; says so where much was left out. */
 void
@@ -152,8 +166,15 @@ interpretSurface(const Surface& surface,
                  const std::function<void(const Interpretation&)>& observer)
 {
   timer.start("graph", 0.0);
-  if (std::optional<Interpretation> mirrored = interpretAsItStands(surface, parameters, search, timer)) {
-    return std::move(*mirrored);
+  std::optional<CloudAsItStands> as_it_stands;
+  if (!surface.hasFaces() && parameters.method == Method::Robust) {
+    as_it_stands.emplace(surface, parameters, search);
+  }
+  if (as_it_stands && as_it_stands->isInParts()) {
+    if (std::optional<Interpretation> mirrored = as_it_stands->mirrored(0.0F, timer)) {
+      return std::move(*mirrored);
+    }
+    as_it_stands.reset();
   }
   // Interpret: in one way after another until the result is settled; the ways vote.
   InterpretationPlan plan(surface, parameters, search);
@@ -170,7 +191,13 @@ interpretSurface(const Surface& surface,
     rivals.add(std::move(interpretation));
     timer.start("graph", 0.0);
   }
-  return rivals.takeBest();
+  Interpretation best = rivals.takeBest();
+  if (as_it_stands && (best.estimate.status != SymmetryStatus::Symmetric || best.estimate.confidence < in_doubt)) {
+    if (std::optional<Interpretation> mirrored = as_it_stands->mirrored(best.estimate.confidence, timer)) {
+      return std::move(*mirrored);
+    }
+  }
+  return best;
 }
 
 SymmetryResult

@@ -10,7 +10,6 @@ namespace symmetry {
 namespace {
 
 constexpr std::size_t minimum_points = 60;
-constexpr float in_doubt = 0.75F; // confidence below which a mirror plane in space is more certain, where there is one
 
 MapEstimate
 tooFewPoints()
