@@ -22,10 +22,10 @@ evenSpacing(const PreparedSurface& surface, std::size_t points);
 /** \brief Splits long sides of triangles in their middles: a box of eight corners becomes a surface along which distances
  * can be told, samples be taken and parts be linked where they touch.
  *
- * A mesh in several parts or with fewer than three quarters of the points that are \a wanted (three for each sample: what
- * a triangle has) is split until no side is longer than what so many points, spread evenly over the area, are apart. Any other stays as it is but for sides several times as long: a few split sides
- * among others shorten ways on one side of a body and not on the other. Nor is one of fewer than 60 points split: what
- * has hardly a shape is not made to look as if it had.
+ * A mesh in several parts or with fewer than half of the points that are \a wanted (two for each sample) is split until
+ * no side is longer than what so many points, spread evenly over the area, are apart. Any other stays as it is but for
+ * sides several times as long: a few split sides among others shorten ways on one side of a body and not on the other.
+ * Nor is one of fewer than 60 points split: what has hardly a shape is not made to look as if it had.
  *
  * The splitting ends early where it would make more than four times the wanted points, of slivers.
  *

@@ -134,7 +134,7 @@ splitLongSides(PreparedSurface& surface, std::size_t wanted)
 {
   const std::size_t before = surface.size();
   const std::size_t most = before + 4 * wanted; // slivers would take more
-  const bool is_coarse = 4 * before < 3 * wanted || hasSeveralParts(surface);
+  const bool is_coarse = 2 * before < wanted || hasSeveralParts(surface);
   const float longest =
       surface.triangles.empty() ? 0.0F : (is_coarse ? 1.0F : side_of_fine_mesh) * evenSpacing(surface, wanted);
   if (!(longest > 0.0F) || before < points_of_a_shape) {
