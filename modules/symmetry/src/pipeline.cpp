@@ -75,17 +75,22 @@ private:
   PreparedSurface surface_;
 };
 
+/** Share of the points below which a part of the object is missing. */
+constexpr float nearly_all = 0.9F;
+
+/** Share of the usable points of the input that took part. */
+float
+shareUsed(const InputSummary& input)
+{
+  const std::size_t left_out = input.non_finite + input.outside_indices + input.outliers + input.unused;
+  return input.points <= left_out ? 1.0F : static_cast<float>(input.used) / static_cast<float>(input.points - left_out);
+}
+
 /** A map of a small part of the input is at most that part right; says so where much was left out. */
 void
 boundByShareUsed(SymmetryResult& result)
 {
-  constexpr float nearly_all = 0.9F;
-  const InputSummary& input = result.input;
-  const std::size_t left_out = input.non_finite + input.outside_indices + input.outliers + input.unused;
-  if (input.points <= left_out) {
-    return;
-  }
-  const float share = static_cast<float>(input.used) / static_cast<float>(input.points - left_out);
+  const float share = shareUsed(result.input);
   if (share < nearly_all) {
     result.confidence = std::min(result.confidence, share);
     result.message += std::string(result.message.empty() ? "" : "; ") +
@@ -192,8 +197,11 @@ interpretSurface(const Surface& surface,
     timer.start("graph", 0.0);
   }
   Interpretation best = rivals.takeBest();
-  if (as_it_stands && (best.estimate.status != SymmetryStatus::Symmetric || best.estimate.confidence < in_doubt)) {
-    if (std::optional<Interpretation> mirrored = as_it_stands->mirrored(best.estimate.confidence, timer)) {
+  const float share = shareUsed(best.surface.summary);
+  if (as_it_stands && (best.estimate.status != SymmetryStatus::Symmetric || best.estimate.confidence < in_doubt ||
+                       share < nearly_all)) {
+    const float certain = std::min(best.estimate.confidence, share);
+    if (std::optional<Interpretation> mirrored = as_it_stands->mirrored(certain, timer)) {
       return std::move(*mirrored);
     }
   }
