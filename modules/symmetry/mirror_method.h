@@ -14,10 +14,6 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief Confidence of a map below which a mirror plane in space is more certain, where there is one: as that below which
- * a mesh is searched again. */
-constexpr float in_doubt = 0.75F;
-
 /** \brief Settings of the maps that mirror planes make; lengths are shares of the diagonal of the bounding box. */
 struct MirrorSettings {
   PlaneSearchSettings planes;

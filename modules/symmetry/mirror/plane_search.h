@@ -12,7 +12,10 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief Settings of the search for mirror planes; lengths are shares of the diagonal of the bounding box. */
+/** \brief Settings of the search for mirror planes; lengths are shares of the diagonal of the bounding box.
+ *
+ * Origin: the tolerance and the least share are what the verdict "symmetric" of a set of public objects is defined by, and
+ * were checked on that set alone; the others were set by hand before anything was run, and are not fitted. */
 struct PlaneSearchSettings {
   std::size_t directions = 600;     ///< of normals over half a sphere: 6 degrees apart, what the alignment reaches over
   std::size_t aligned = 6;          ///< of the best directions, distinct ones

@@ -34,8 +34,9 @@ private:
   const PreparedSurface& surface_;
   float reach_;
   std::vector<Vector3> middles_; ///< of the triangles of a mesh
-  std::vector<float> radii_;     ///< of the triangles around their middles; of a cloud: median edge of each point
-  PointGrid grid_;               ///< of the middles, or of the points of a cloud
+  std::vector<float>
+      radii_;      ///< of the triangles around their middles; of a cloud: how far the plane of each point reaches
+  PointGrid grid_; ///< of the middles, or of the points of a cloud
 };
 
 } // namespace symmetry

@@ -73,9 +73,6 @@ leastOfSeveralInterpretations(const Interpretation& interpretation)
              : usual - (usual - with_many_holes) * weightOfHoles(interpretation.estimate.known_holes);
 }
 
-/** Confidence from which on a mesh is not searched again. */
-constexpr float settled_by_odds = 0.75F;
-
 /** Of the points and of the other symmetries. */
 void
 scaleConfidences(MapEstimate& estimate, float share)
@@ -132,7 +129,7 @@ RivalInterpretations::isSettled() const
     return true;
   }
   if (pooling_ == Pooling::Odds) {
-    return !estimate.is_partial && shareOfOdds(best) >= settled_by_odds;
+    return !estimate.is_partial && shareOfOdds(best) >= in_doubt;
   }
   constexpr float beyond_doubt = 0.9F;
   constexpr float sure_together = 2.0F; // three interpretations that agree, each sure enough alone

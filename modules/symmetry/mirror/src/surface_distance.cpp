@@ -72,17 +72,17 @@ radiiOfTriangles(const PreparedSurface& surface, const std::vector<Vector3>& mid
   return radii;
 }
 
-/** How far the neighbours of each point of a cloud are. */
+/** How far all but a tenth of the neighbours of each point of a cloud are: so far its plane is taken to reach. */
 std::vector<float>
-medianEdges(const SurfaceGraph& graph)
+farEdges(const SurfaceGraph& graph)
 {
-  std::vector<float> medians;
+  std::vector<float> reaches;
   std::vector<float> lengths;
   for (std::size_t v = 0; v < graph.size(); ++v) {
     lengths.assign(graph.lengths.begin() + graph.offsets[v], graph.lengths.begin() + graph.offsets[v + 1]);
-    medians.push_back(quantileInPlace(lengths, 0.9));
+    reaches.push_back(quantileInPlace(lengths, 0.9));
   }
-  return medians;
+  return reaches;
 }
 
 float
@@ -101,7 +101,7 @@ SurfaceDistance::SurfaceDistance(const PreparedSurface& surface, float reach)
     : surface_(surface),
       reach_(reach),
       middles_(surface.is_cloud ? std::vector<Vector3>{} : middlesOfTriangles(surface)),
-      radii_(surface.is_cloud ? medianEdges(surface.graph) : radiiOfTriangles(surface, middles_)),
+      radii_(surface.is_cloud ? farEdges(surface.graph) : radiiOfTriangles(surface, middles_)),
       grid_(surface.is_cloud ? surface.points : middles_, reach + std::min(widest_radius, largestOf(radii_)))
 {
 }
