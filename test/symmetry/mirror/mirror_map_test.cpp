@@ -11,9 +11,8 @@ using namespace pcl::symmetry::test;
 namespace {
 
 PreparedSurface
-chair()
+inParts(const Surface& mesh)
 {
-  const Surface mesh = chairOfBoxes();
   PreparedSurface surface;
   surface.points = mesh.points;
   surface.triangles = mesh.triangles;
@@ -21,6 +20,26 @@ chair()
   surface.graph = meshGraph(mesh);
   surface.part_of = connectedComponents(surface.graph).component_of;
   return surface;
+}
+
+PreparedSurface
+chair()
+{
+  return inParts(chairOfBoxes());
+}
+
+TEST(MapByMirror, KeepsAPartTogetherWhereAnotherPartIsNearer)
+{
+  Surface mesh;
+  addBox(mesh, {-0.3F, 0.0F, 0.0F}, {-0.2F, 0.1F, 0.4F});
+  addBox(mesh, {0.204F, 0.0F, 0.0F}, {0.304F, 0.1F, 0.4F}); // its twin, a little off
+  addBox(mesh, {0.3F, 0.1F, 0.4F}, {0.5F, 0.3F, 0.5F});     // with a corner where one of the first box should be
+  const PreparedSurface surface = inParts(mesh);
+  const MirrorMap map = mapByMirror(surface, {{1, 0, 0}, 0.0F}, 0.01F, 0.05F, 1);
+  for (std::size_t v = 0; v < 8; ++v) {
+    ASSERT_NE(map.partners[v], no_index);
+    EXPECT_EQ(surface.part_of[map.partners[v]], surface.part_of[8]) << v;
+  }
 }
 
 TEST(MapByMirror, SendsEveryCornerToItsImageOnTheTwinPart)
