@@ -1,6 +1,7 @@
 #include "symmetry/pipeline.h"
 
 #include "base/heartbeat.h"
+#include "symmetry/cloud_as_it_stands.h"
 #include "symmetry/confidence/map_confidence.h"
 #include "symmetry/confidence/part_twins.h"
 #include "symmetry/interpretations.h"
@@ -8,7 +9,6 @@
 #include "symmetry/robust_method.h"
 #include "symmetry/sides/map_quality.h"
 #include "symmetry/staged/staged_method.h"
-#include "symmetry/surface/surface_preparation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,48 +32,6 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
   settings.sampling.samples = std::max(minimum_samples, static_cast<std::size_t>(std::lround(samples * usual)));
   return estimateRobust(prepared, parameters, settings, timer);
 }
-
-/** A cloud with no faces to tell what touches what, understood as it stands in space. */
-class CloudAsItStands {
-public:
-  CloudAsItStands(const Surface& cloud, const SymmetryParameters& parameters, const NeighbourSearch& search)
-      : parameters_(parameters), surface_(prepareAsItStands(cloud, parameters, search))
-  {
-  }
-
-  /** Whether its points are in parts even by their nearest neighbours: those of an object, more likely than of a body. */
-  bool
-  isInParts() const
-  {
-    return !surface_.part_of.empty();
-  }
-
-  /** The map that its mirror plane makes, if there is one that is more certain than a confidence. May be called once. */
-  std::optional<Interpretation>
-  mirrored(float confidence, StepTimer& timer)
-  {
-    const RobustSettings settings;
-    if (surface_.size() < minimum_samples) {
-      return std::nullopt;
-    }
-    const std::vector<MirrorFit> planes = mirrorPlanesOf(surface_, settings.sampling.samples, settings.mirror);
-    if (planes.empty() || planes.front().share <= confidence) {
-      return std::nullopt;
-    }
-    const SampledSurface sampled =
-        sampleSurface(surface_, settings.sampling, parameters_.metric, parameters_.threads, timer);
-    if (sampled.coarse.size() < minimum_samples) {
-      return std::nullopt;
-    }
-    timer.start("dense", 0.8);
-    MapEstimate estimate = estimateByMirror(sampled, planes, parameters_, settings.mirror);
-    return Interpretation{std::move(surface_), std::move(estimate)};
-  }
-
-private:
-  const SymmetryParameters& parameters_;
-  PreparedSurface surface_;
-};
 
 /** Share of the points below which a part of the object is missing. */
 constexpr float nearly_all = 0.9F;
