@@ -35,6 +35,7 @@ struct Options {
   bool all = false;
   bool graph = false;
   std::string evidence;
+  std::string vertex_evidence;
   RunOptions run;
   unsigned jobs = 1;
   std::optional<unsigned> threads;
@@ -54,7 +55,7 @@ struct Options {
   std::vector<std::string>
   outputs() const
   {
-    return {csv, json, plot, evidence};
+    return {csv, json, plot, evidence, vertex_evidence};
   }
 };
 
@@ -118,6 +119,8 @@ describeOptions(Options& options)
   output.file("evidence", options.evidence,
               "write all that is measured on every map of every interpretation to this .csv file, delivered or not, "
               "instead of the scores: what the confidence is calibrated with");
+  output.file("vertex-evidence", options.vertex_evidence,
+              "with --evidence: the same for every scored vertex, into another .csv file");
   output.file("plot", options.plot, "draw the geodesic error curves into this .svg file");
   output.folder("map-dir", options.map_folder, "write each map as SET_MODEL.csv into this folder");
   output.flag("verbose", options.verbose, "seconds per step and properties of the map for each model");
@@ -153,6 +156,8 @@ checkCombination(const Options& options)
   if (!options.evidence.empty() && (options.graph || !options.csv.empty() || !options.json.empty() ||
                                     !options.plot.empty() || !options.map_folder.empty()))
     throw UsageError("--evidence writes nothing else: it goes with no other output");
+  if (!options.vertex_evidence.empty() && options.evidence.empty())
+    throw UsageError("--vertex-evidence goes with --evidence");
   if (options.graph && (options.run.as_cloud || !options.csv.empty() || !options.json.empty() ||
                         !options.plot.empty() || !options.map_folder.empty()))
     throw UsageError("--graph finds no maps: it goes with neither --as-cloud nor an output file");
@@ -244,9 +249,11 @@ scoreExistingMap(const Options& options)
 int
 runEvidence(const Options& options)
 {
-  checkWritableFiles({options.evidence});
+  checkWritableFiles({options.evidence, options.vertex_evidence});
   const std::vector<EvidenceRow> rows = collectEvidence(selectModels(options), options.run, options.jobs, std::cerr);
   writeEvidence(options.evidence, rows);
+  if (!options.vertex_evidence.empty())
+    writeVertexEvidence(options.vertex_evidence, rows);
   std::cout << rows.size() << " maps in " << options.evidence << '\n';
   return rows.empty() ? exit_failed : exit_done;
 }

@@ -146,7 +146,9 @@ struct SymmetryResult {
 
   std::vector<SymmetricMatch> matches; ///< sparse correspondences, spread over the source side
   std::vector<Index> partners;         ///< dense map
-  std::vector<float> confidences;      ///< per point, in [0, 1]
+  /** Per point, in [0, 1]: the probability that its partner is within 5 % of the diameter of the true one, as far as the
+   * robust method can tell; of the staged method and of a mirror plane a measure of fit. 0 without a partner. */
+  std::vector<float> confidences;
   /** Per point, in [0, 1]: how well its surroundings have a counterpart, by how little the map changes distances there;
    * 0 in the parts that are left out and for points that took no part. */
   std::vector<float> support;

@@ -2,8 +2,10 @@
 
 #include "base/heartbeat.h"
 #include "symmetry/cloud_as_it_stands.h"
+#include "symmetry/confidence/calibration.h"
 #include "symmetry/confidence/map_confidence.h"
 #include "symmetry/confidence/part_twins.h"
+#include "symmetry/confidence/point_confidence.h"
 #include "symmetry/interpretations.h"
 #include "symmetry/result_delivery.h"
 #include "symmetry/robust_method.h"
@@ -85,7 +87,7 @@ estimateInto(SymmetryResult& result,
     leaveOutUnsupported(interpretation.estimate);
   }
   const PreparedSurface& prepared = interpretation.surface;
-  const MapEstimate& estimate = interpretation.estimate;
+  MapEstimate& estimate = interpretation.estimate;
   result.input = prepared.summary;
   result.status = estimate.status;
   result.message = estimate.message;
@@ -105,13 +107,16 @@ estimateInto(SymmetryResult& result,
     const float twins = shareOfTwinParts(prepared, estimate.partners);
     result.confidence = std::min({result.confidence, confidenceBound(measured), twins});
   }
-  if (result.confidence < leastMapConfidence(1.0F)) { // the lowest limit there is
+  if (result.confidence < RefusalCalibration{}.uncertain) { // the lowest limit there is
     result.status = SymmetryStatus::NoSymmetry;
     result.message = "the map that fits best tears the surface apart";
     result.confidence *= confidence_of_refused;
     return;
   }
   boundByShareUsed(result);
+  for (float& confidence : estimate.confidences) {
+    confidence = withMapConfidence(confidence, estimate.confidence, result.confidence);
+  }
   // Deliver: in numbers of the input's points; sides and the curve between them.
   result.map = parameters.sparse_only ? MapSummary{} : measured;
   timer.start("axis", 0.9);
