@@ -76,6 +76,8 @@ struct InputSummary {
   std::size_t outside_indices = 0;  ///< points that the caller's indices leave out
   std::size_t outliers = 0;         ///< points dropped as outliers
   std::size_t unused = 0;           ///< points of a mesh that no face uses: they are no surface
+  std::size_t welded = 0;           ///< corners of a mesh for which another at the same place stands, but for rounding
+  std::size_t junctions = 0;        ///< corners of a mesh on the side of a triangle, which was cut there
   std::size_t other_components = 0; ///< points dropped since they belong to something else than what was mapped
   std::size_t components = 0;       ///< connected components of the surface, before parts of one object were linked
   std::size_t linked_parts = 0;     ///< components that were linked to one object; 0 where it is in one piece

@@ -43,6 +43,8 @@ describeInput(const std::string& file, const InputSummary& input)
           {"outside_indices", input.outside_indices},
           {"outliers", input.outliers},
           {"unused", input.unused},
+          {"welded", input.welded},
+          {"junctions", input.junctions},
           {"other_components", input.other_components},
           {"components", input.components},
           {"linked_parts", input.linked_parts},

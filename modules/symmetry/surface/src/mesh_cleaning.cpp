@@ -11,20 +11,26 @@
 namespace pcl {
 namespace symmetry {
 
-void
-mergeRepeatedPoints(PreparedSurface& surface)
+std::size_t
+letStandForOthers(PreparedSurface& surface, const std::vector<Index>& first)
 {
-  const std::vector<Index> first = firstCoincident(surface.points);
   std::vector<char> keep(surface.size());
   for (std::size_t v = 0; v < keep.size(); ++v) {
     keep[v] = static_cast<char>(first[v] == static_cast<Index>(v));
   }
-  if (std::find(keep.begin(), keep.end(), 0) == keep.end()) {
-    return;
+  const auto others = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
+  if (others > 0) {
+    renumber(surface.representatives, first);
+    renumberTriangles(surface.triangles, first);
+    keepPoints(surface, keep);
   }
-  renumber(surface.representatives, first);
-  renumberTriangles(surface.triangles, first);
-  keepPoints(surface, keep);
+  return others;
+}
+
+std::size_t
+mergeRepeatedPoints(PreparedSurface& surface)
+{
+  return letStandForOthers(surface, firstCoincident(surface.points));
 }
 
 void
