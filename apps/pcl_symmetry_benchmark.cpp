@@ -39,6 +39,7 @@ struct Options {
   unsigned jobs = 1;
   std::optional<unsigned> threads;
   unsigned holes = 0;
+  unsigned variants = 0;
   std::int64_t seed = 1;
   std::string map_folder;
   std::string csv;
@@ -84,6 +85,10 @@ disturbanceOptions(Options& options)
   group.choice("cut-limb", options.run.cut_limb, limb_names,
                "cut off a limb, farthest (its end from its counterpart's) or other: what is left should be "
                "refused, and is not scored");
+  group.count("vary", options.variants, variant_count,
+              "run this many variants of every model beside it, of ten: shuffled, half of the vertices, noise, more "
+              "samples, stretched, a third, fewer samples, mirrored, smoothed, subdivided; one table of variants",
+              Default::Hidden);
   group.number("drop", disturbance.drop, "F", "drop this share of the points at random", Default::Hidden);
   group.count("holes", options.holes, 1024, "cut this many holes", Default::Hidden);
   group.number("hole-share", disturbance.hole_share, "F", "share of the points in all holes");
@@ -153,6 +158,8 @@ checkCombination(const Options& options)
     throw UsageError("--graph finds no maps: it goes with neither --as-cloud nor an output file");
   if (options.graph && options.run.cut_limb)
     throw UsageError("--graph needs whole models: it does not go with --cut-limb");
+  if (options.variants > 0 && (options.graph || options.run.cut_limb))
+    throw UsageError("--vary goes with neither --graph nor --cut-limb");
 }
 
 /** \brief What follows from several options, or from the words beside them. */
@@ -188,6 +195,7 @@ selectModels(const Options& options)
     else
       selected.push_back(std::move(model));
   }
+  addVariants(selected, options.variants);
   if (without_truth > 0)
     std::cerr << without_truth << " models without ground truth are left out (--all runs them)\n";
   if (selected.empty())
@@ -258,6 +266,11 @@ printResults(const Options& options, const std::vector<ModelRun>& runs)
   if (options.run.cut_limb) {
     std::cout << '\n';
     printRefusals(std::cout, runs);
+    return;
+  }
+  if (options.variants > 0) {
+    std::cout << '\n';
+    printVariants(std::cout, summariseVariants(runs));
     return;
   }
   const std::vector<GroupSummary> classes = summariseClasses(runs);

@@ -29,7 +29,7 @@ mapOfModel(const Interpretation& interpretation, const ModelInput& model)
       of_input[v] = surface.original[partners[surface.representatives[v]]];
     }
   }
-  return undisturbMap(of_input, model.input.origins, model.mesh.size());
+  return mapOfFile(model, of_input);
 }
 
 std::vector<EvidenceRow>
@@ -40,7 +40,7 @@ evidenceOf(const BenchmarkModel& model, const RunOptions& options)
   StepTimer timer;
   InputSummary summary;
   interpretSurface(
-      input.input.surface, options.parameters,
+      input.input.surface, parametersFor(model, options),
       [&options](const std::vector<Vector3>& points, int k) {
         return searchByKdTree(points, k, options.parameters.threads);
       },

@@ -167,6 +167,20 @@ printRefusals(std::ostream& out, const std::vector<ModelRun>& runs)
 }
 
 void
+printVariants(std::ostream& out, const std::vector<VariantSummary>& summaries)
+{
+  out << left("variant", name_width) << right("models", 7) << right("rate %", 8) << right("right", 7)
+      << right("refused", 9) << right("wrong > 0.5", 13) << right("as the model itself", 21) << '\n';
+  for (const VariantSummary& summary : summaries) {
+    const std::string name = summary.variant == Variant::AsItIs ? "as it is" : toString(summary.variant);
+    out << left(summary.set + ", " + name, name_width) << right(std::to_string(summary.models), 7)
+        << percent(summary.correspondence_rate, 8) << right(std::to_string(summary.right), 7)
+        << right(std::to_string(summary.refused), 9) << right(std::to_string(summary.sure_but_wrong), 13)
+        << right(std::to_string(summary.alike), 21) << '\n';
+  }
+}
+
+void
 printScore(std::ostream& out, const MapAccuracy& score)
 {
   out << "correspondence rate " << number(score.correspondenceRate(), 0, 4) << "  mean geodesic error "
