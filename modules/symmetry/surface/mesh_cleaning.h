@@ -37,6 +37,11 @@ dropRepeatedTriangles(std::size_t n, std::vector<Triangle>& triangles);
 void
 dropUnusedPoints(PreparedSurface& surface);
 
+/** \brief Leaves the connected component with the largest area, of equal ones that with the lowest point.
+ * \param[in,out] surface a mesh at unit scale of which every point has a triangle */
+void
+keepLargestComponent(PreparedSurface& surface);
+
 /** \brief Mean of the normals of the faces around each vertex, weighted by area; zero where there is no face. */
 std::vector<Vector3>
 vertexNormals(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles);

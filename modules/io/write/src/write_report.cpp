@@ -105,6 +105,7 @@ describeParameters(const SymmetryParameters& parameters)
           {"k_search", parameters.k_search},
           {"radius", toJson(parameters.radius)},
           {"normals", nameOf(normal_source_names, parameters.normals)},
+          {"components", nameOf(component_use_names, parameters.components)},
           {"outlier_deviations", toJson(parameters.outlier_deviations)},
           {"landmarks", parameters.landmarks},
           {"samples", parameters.samples},

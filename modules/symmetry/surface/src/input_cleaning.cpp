@@ -124,6 +124,10 @@ usablePoints(const Surface& surface,
   heartbeat();
   normalizeScale(prepared);
   if (!prepared.is_cloud) {
+    if (parameters.components == ComponentUse::Largest) {
+      keepLargestComponent(prepared);
+      renormalizeScale(prepared);
+    }
     if (points > 0) {
       splitLongSides(prepared, points);
     }
