@@ -215,6 +215,38 @@ rateDirections(const AreaSamples& samples, const PlaneSearchSettings& settings)
   return rated;
 }
 
+/** Those of planes, best first, that are better than all around them: where one fits, those a little off do not crowd
+ * out the others. */
+std::vector<PlaneReflection>
+promisingPlanes(const std::vector<RatedPlane>& rated, const PlaneSearchSettings& settings, float hopeless)
+{
+  std::vector<PlaneReflection> chosen;
+  for (auto it = rated.begin(); it != rated.end() && chosen.size() < settings.aligned && it->cost <= hopeless; ++it) {
+    if (std::all_of(rated.begin(), it, [&](const RatedPlane& better) {
+          return areDistinct(it->plane, better.plane, settings.distinct);
+        })) {
+      chosen.push_back(it->plane);
+    }
+  }
+  return chosen;
+}
+
+/** The planes that fit as well as the best one first, among them those that most is far from, the others by their fit. */
+void
+orderByFit(std::vector<MirrorFit>& fits, const PlaneSearchSettings& settings, float tolerance)
+{
+  std::stable_sort(fits.begin(), fits.end(),
+                   [](const MirrorFit& a, const MirrorFit& b) { return a.residual < b.residual; });
+  for (MirrorFit& fit : fits) {
+    fit.is_equal = fit.residual <= fits.front().residual + settings.equal_residual * tolerance &&
+                   std::abs(fit.share - fits.front().share) <= settings.equal_share;
+  }
+  const auto others =
+      std::stable_partition(fits.begin(), fits.end(), [](const MirrorFit& fit) { return fit.is_equal; });
+  std::stable_sort(fits.begin(), others,
+                   [](const MirrorFit& a, const MirrorFit& b) { return a.displacement > b.displacement; });
+}
+
 /** How well the first samples, so many, are carried onto the surface. */
 MirrorFit
 measureFit(const PlaneReflection& plane,
@@ -244,16 +276,8 @@ std::vector<MirrorFit>
 findMirrorPlanes(const AreaSamples& samples, const PreparedSurface& surface, const PlaneSearchSettings& settings)
 {
   const auto diagonal = static_cast<float>(boundingBox(surface.points).diagonal());
-  std::vector<PlaneReflection> chosen;
-  for (const RatedPlane& rated : rateDirections(samples, settings)) {
-    if (chosen.size() >= settings.aligned || rated.cost > settings.hopeless * diagonal) {
-      break;
-    }
-    if (std::all_of(chosen.begin(), chosen.end(),
-                    [&](const PlaneReflection& other) { return areDistinct(rated.plane, other, settings.distinct); })) {
-      chosen.push_back(rated.plane);
-    }
-  }
+  const std::vector<PlaneReflection> chosen =
+      promisingPlanes(rateDirections(samples, settings), settings, settings.hopeless * diagonal);
   const float tolerance = settings.tolerance * diagonal;
   const SurfaceDistance distance_from(surface, tolerance);
   const auto look = [&](const PlaneReflection& plane, std::size_t count) {
@@ -275,8 +299,7 @@ findMirrorPlanes(const AreaSamples& samples, const PreparedSurface& surface, con
       fits.push_back(fit);
     }
   }
-  std::stable_sort(fits.begin(), fits.end(),
-                   [](const MirrorFit& a, const MirrorFit& b) { return a.residual < b.residual; });
+  orderByFit(fits, settings, tolerance);
   return fits;
 }
 
