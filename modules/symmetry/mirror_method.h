@@ -33,7 +33,7 @@ bool
 haveEqualFits(const std::vector<MirrorFit>& planes);
 
 /** \brief The map that the first of several mirror planes makes, with the others as alternatives and the rotations that
- * it makes with them; the message says whether several fit equally well.
+ * it makes with them.
  *
  * The confidence is the share of the area that comes to lie on the surface.
  * \param[in] planes at least one, see mirrorPlanesOf () */

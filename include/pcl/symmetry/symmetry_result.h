@@ -159,6 +159,9 @@ struct SymmetryResult {
   std::vector<Polyline> axis;     ///< the symmetry axis curve, longest part first
   std::vector<Index> extremities; ///< ends of limbs: source, target, source, target; fewer where there are fewer limbs
   std::vector<UnsupportedPart> unsupported; ///< of a partial map, the largest first
+  /** Mirror planes in which the surface is its own image equally well, the one of the map among them, as far as they
+   * were looked for: 12 may stand for any number. 0 where there is at most one. */
+  std::size_t equal_reflections = 0;
   std::vector<AlternativeMap> alternatives; ///< on request: the reflections, best first; the first is the map above
   std::vector<AlternativeMap> rotations;    ///< on request: maps that keep the orientation, best first
 

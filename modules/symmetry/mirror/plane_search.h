@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "symmetry/mirror/area_samples.h"
 #include "symmetry/mirror/plane_reflection.h"
 #include "symmetry/surface/prepared_surface.h"
 
@@ -16,7 +17,7 @@ namespace symmetry {
  *
  * Origin: the tolerance and the least share are what the verdict "symmetric" of a set of public objects is defined by, and
  * were checked on that set alone; the others were set by hand before anything was run, and are not fitted. What equal planes
- * may differ by is a multiple of what rounding and the spread of the samples changes on shapes that are exactly symmetric. */
+ * may differ by is what the facets of bodies of revolution make of planes that are equal on the body. */
 struct PlaneSearchSettings {
   std::size_t directions = 600; ///< of normals over half a sphere: 6 degrees apart, what the alignment reaches over
   std::size_t aligned = 12;     ///< of the best directions, each better than those around it: a cube has nine planes
@@ -25,23 +26,11 @@ struct PlaneSearchSettings {
   int rounds = 12;              ///< of the alignment
   float tolerance = 0.005F;     ///< within which an image lies on the surface
   float promising_share = 0.6F; ///< of the area after the first alignment; what fits less is given up
+  float good_share = 0.99F;     ///< below which the alignment is repeated with the surface between the points
   float least_share = 0.95F;    ///< of the area that must come to lie on the surface: the rest is worn or fitted on
-  float equal_residual = 0.02F; ///< tolerances by which the mean distances of planes that fit equally well differ,
+  float equal_residual = 0.1F;  ///< tolerances by which the mean distances of planes that fit equally well differ,
   float equal_share = 0.005F;   ///< and the same of the shares of the area
   float least_displacement = 0.02F; ///< mean distance from the plane: a sheet lies in its own plane and maps to itself
-};
-
-/** \brief Evenly spread samples of a surface that stand for their surroundings; arrays have one entry each. */
-struct AreaSamples {
-  std::vector<Vector3> points; ///< the first ones spread over the whole surface, as farthest points do
-  std::vector<Vector3> normals;
-  std::vector<float> areas; ///< they sum up to 1
-
-  std::size_t
-  size() const
-  {
-    return points.size();
-  }
 };
 
 /** \brief A plane, and how well the surface is its own mirror image in it. */

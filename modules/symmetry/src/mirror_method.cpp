@@ -64,12 +64,11 @@ planesThatFit(const PreparedSurface& surface, const AreaSamples& samples, const 
   return findMirrorPlanes(samples, surface, search);
 }
 
-/** Says so where the surface does not tell which of several reflections is meant. */
-std::string
-describeEqualFits(const std::vector<MirrorFit>& planes)
+std::size_t
+countEqualFits(const std::vector<MirrorFit>& planes)
 {
-  const auto equal = std::count_if(planes.begin(), planes.end(), [](const MirrorFit& fit) { return fit.is_equal; });
-  return equal > 1 ? std::to_string(equal) + " reflections fit equally well" : "";
+  return static_cast<std::size_t>(
+      std::count_if(planes.begin(), planes.end(), [](const MirrorFit& fit) { return fit.is_equal; }));
 }
 
 /** Lists the maps of the planes, and the rotations that the first one makes with each of the others. */
@@ -81,17 +80,19 @@ listPlanes(const SampledSurface& sampled,
            MapEstimate& estimate)
 {
   const std::vector<Index> first = estimate.partners;
+  float score = planes.front().residual;
   for (std::size_t k = 0; k < std::min(planes.size(), maximum); ++k) {
     const MirrorFit& fit = planes[k];
     std::vector<Index> partners = mapByPlane(sampled, fit.plane, settings).partners;
+    score = std::max(score, fit.residual); // what fits equally well is in no order of residuals
     if (k > 0) {
       std::vector<Index> images = first;
       std::transform(images.begin(), images.end(), images.begin(),
                      [&](Index image) { return image == no_index ? no_index : partners[image]; });
-      estimate.rotations.push_back({std::move(images), planes.front().residual + fit.residual,
-                                    std::min(planes.front().share, fit.share), false});
+      estimate.rotations.push_back(
+          {std::move(images), planes.front().residual + score, std::min(planes.front().share, fit.share), false});
     }
-    estimate.alternatives.push_back({std::move(partners), fit.residual, fit.share, true});
+    estimate.alternatives.push_back({std::move(partners), score, fit.share, true});
   }
 }
 
@@ -119,7 +120,7 @@ mirrorPlanesOf(const PreparedSurface& cloud, std::size_t samples, const MirrorSe
 bool
 haveEqualFits(const std::vector<MirrorFit>& planes)
 {
-  return planes.size() > 1 && planes[0].is_equal && planes[1].is_equal;
+  return countEqualFits(planes) > 1;
 }
 
 MapEstimate
@@ -148,7 +149,7 @@ estimateByMirror(const SampledSurface& sampled,
   estimate.partners = std::move(map.partners);
   estimate.side_function = sidesOfPlane(sampled.surface, best.plane);
   describeMap(sampled, estimate);
-  estimate.message = describeEqualFits(planes);
+  estimate.equal_reflections = haveEqualFits(planes) ? countEqualFits(planes) : 0;
   if (parameters.alternatives > 1 && !parameters.sparse_only) {
     listPlanes(sampled, planes, settings, static_cast<std::size_t>(parameters.alternatives), estimate);
   }

@@ -45,6 +45,12 @@ shareUsed(const InputSummary& input, ComponentUse use)
   return input.points <= left_out ? 1.0F : static_cast<float>(input.used) / static_cast<float>(input.points - left_out);
 }
 
+void
+addRemark(SymmetryResult& result, const std::string& remark)
+{
+  result.message += (result.message.empty() ? "" : "; ") + remark;
+}
+
 /** A map of a small part of the input is at most that part right; says so where much was left out. */
 void
 boundByShareUsed(SymmetryResult& result, ComponentUse use)
@@ -52,9 +58,8 @@ boundByShareUsed(SymmetryResult& result, ComponentUse use)
   const float share = shareUsed(result.input, use);
   if (share < nearly_all) {
     result.confidence = std::min(result.confidence, share);
-    result.message += std::string(result.message.empty() ? "" : "; ") +
-                      std::to_string(std::lround(100.0F * (1.0F - share))) +
-                      " % of the points lie apart from the part that was mapped";
+    addRemark(result, std::to_string(std::lround(100.0F * (1.0F - share))) +
+                          " % of the points lie apart from the part that was mapped");
   }
 }
 
@@ -113,6 +118,10 @@ estimateInto(SymmetryResult& result,
     return;
   }
   boundByShareUsed(result, parameters.components);
+  result.equal_reflections = estimate.equal_reflections;
+  if (result.equal_reflections > 1) {
+    addRemark(result, std::to_string(result.equal_reflections) + " reflections fit equally well");
+  }
   // Deliver: in numbers of the input's points; sides and the curve between them.
   result.map = parameters.sparse_only ? MapSummary{} : measured;
   timer.start("axis", 0.9);

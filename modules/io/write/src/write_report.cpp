@@ -173,6 +173,8 @@ writeReport(const std::string& path,
     report["mirror_plane"] = describePlane(result.plane);
   if (!result.unsupported.empty())
     report["unsupported"] = describeUnsupported(result.unsupported);
+  if (result.equal_reflections > 1)
+    report["equal_reflections"] = result.equal_reflections;
   if (result.alternatives.size() > 1) {
     report["alternatives"] = describeAlternatives(result.alternatives);
     report["rotations"] = describeAlternatives(result.rotations);
