@@ -1,4 +1,4 @@
-#include "io/read/map_offset.h"
+#include "base/map_offset.h"
 #include "io/read/readers.h"
 
 #include <pcl/symmetry/surface_io.h>
