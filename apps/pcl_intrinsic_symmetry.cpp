@@ -97,7 +97,7 @@ describeOptions(Options& options)
                 "list up to N reflections, and apart from them the rotations, in the report");
   method.choice("pairing", parameters.pairing, pairing_names,
                 "what pairs the extreme points of the staged method: agd, mgd or size");
-  method.count("threads", parameters.threads, most_threads, "0: one per core");
+  method.count("threads", parameters.threads, thread_limit, "0: one per core");
 
   OptionGroup cloud("Clouds");
   cloud.flag("as-cloud", options.as_cloud, "ignore the faces of the file");

@@ -16,7 +16,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr std::size_t most_compared = 4096; // others per point: a bound for files made to have none
+constexpr std::size_t comparison_limit = 4096; // others per point: a bound for files made to have none
 
 struct ClosePair {
   double apart;
@@ -42,7 +42,8 @@ closePairs(const OpenCorners& corners)
   for (std::size_t k = 0; k < order.size(); ++k) {
     const auto [level, i] = order[k];
     const double reach = corners.tolerance(i);
-    for (std::size_t l = k + 1; l < std::min(order.size(), k + most_compared) && order[l].first <= level + reach; ++l) {
+    for (std::size_t l = k + 1; l < std::min(order.size(), k + comparison_limit) && order[l].first <= level + reach;
+         ++l) {
       const std::size_t j = order[l].second;
       const double apart = lengthBetween(corners.place(i), corners.place(j));
       if (apart <= std::min(reach, corners.tolerance(j))) {
