@@ -39,7 +39,7 @@ detail::withFloatPositions(const PCLPointCloud2& cloud)
       starts.push_back(row * cloud.row_step + column * cloud.point_step);
     }
   }
-  const auto placeAt = [&](std::size_t start) {
+  const auto place_at = [&](std::size_t start) {
     Place place{};
     for (std::size_t k = 0; k < 3; ++k) {
       std::memcpy(&place[k], cloud.data.data() + start + offsets[k], sizeof place[k]);
@@ -49,12 +49,12 @@ detail::withFloatPositions(const PCLPointCloud2& cloud)
   std::vector<Vector3> rounded;
   rounded.reserve(starts.size());
   for (const std::size_t start : starts) {
-    const Place place = placeAt(start);
+    const Place place = place_at(start);
     rounded.push_back({static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2])});
   }
   MovedCloud moved{cloud, findOffset(rounded)};
   for (const std::size_t start : starts) {
-    const Place place = placeAt(start);
+    const Place place = place_at(start);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto near = static_cast<float>(place[k] - moved.offset[k]);
       std::memcpy(moved.cloud.data.data() + start + offsets[k], &near, sizeof near); // the rest of the double is unused

@@ -48,9 +48,9 @@ struct MirrorFit {
  * what is long: that follows from the shape, and not from the order of its points or the axes of a file.
  *
  * The mirror plane of a body goes through its centroid: planes through it in all directions are compared by a distance
- * field on a grid (P. Felzenszwalb, D. Huttenlocher: Distance transforms of sampled functions, Theory of Computing 8,
- * 2012), the best are aligned as by iterated closest points (Y. Chen, G. Medioni, 1992 \cite chen1992modelling) with
- * the weights of a robust estimator, since some parts may lack a counterpart.
+ * field on a grid (P. Felzenszwalb, D. Huttenlocher, 2012 \cite felzenszwalb2012distance), the best are aligned as by
+ * iterated closest points (Y. Chen, G. Medioni, 1992 \cite chen1992modelling) with the weights of a robust estimator,
+ * since some parts may lack a counterpart.
  *
  * \param[in] samples of the surface
  */

@@ -54,6 +54,7 @@ directionsOverHalfSphere(const Eigen::Matrix3d& axes, std::size_t count)
 {
   const double golden_angle = pi * (3.0 - std::sqrt(5.0));
   std::vector<Vector3> directions;
+  directions.reserve(count + 3);
   for (int k = 0; k < 3; ++k) {
     directions.push_back(fromEigen(axes.col(k)));
   }

@@ -10,7 +10,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-/** The point of a triangle nearest to a place (C. Ericson, Real-time collision detection, 2005, section 5.1.5: by the
+/** The point of a triangle nearest to a place (C. Ericson, 2005 \cite ericson2005collision, section 5.1.5: by the
  * Voronoi region of the triangle that the place is in). */
 Vector3
 closestPoint(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)

@@ -50,6 +50,8 @@ public:
   {
     std::vector<Vector3> places;
     std::vector<float> lengths;
+    places.reserve(corners_.size());
+    lengths.reserve(sides.size());
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       places.push_back(atUnitScale(corners_.place(i)));
     }

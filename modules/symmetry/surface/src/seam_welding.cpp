@@ -69,7 +69,7 @@ weldSeams(PreparedSurface& surface, const std::vector<OpenSide>& sides)
   heartbeat();
   UnionFind welded(corners.size());
   std::map<Index, std::vector<Index>> members; // of what was welded
-  const auto membersOf = [&](Index i) -> std::vector<Index>& {
+  const auto members_of = [&](Index i) -> std::vector<Index>& {
     return members.try_emplace(i, std::vector<Index>{i}).first->second;
   };
   for (const ClosePair& pair : closePairs(corners)) {
@@ -78,8 +78,8 @@ weldSeams(PreparedSurface& surface, const std::vector<OpenSide>& sides)
     if (a == b) {
       continue;
     }
-    std::vector<Index>& of_a = membersOf(a);
-    std::vector<Index>& of_b = membersOf(b);
+    std::vector<Index>& of_a = members_of(a);
+    std::vector<Index>& of_b = members_of(b);
     const bool are_sheets = std::any_of(of_a.begin(), of_a.end(), [&](Index i) {
       return std::any_of(of_b.begin(), of_b.end(), [&](Index j) {
         return corners.lieOver(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
