@@ -7,6 +7,7 @@
 
 #include <pcl/symmetry/symmetry_result.h>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,7 @@ struct MapEstimate {
   std::vector<Region> regions;
   std::vector<SymmetricMatch> matches;
   std::vector<Index> extremities;
+  std::size_t equal_reflections = 0;        ///< as SymmetryResult::equal_reflections
   std::vector<AlternativeMap> alternatives; ///< reflections
   std::vector<AlternativeMap> rotations;
   std::vector<std::pair<std::string, float>> measures; ///< what speaks for and against the map, by name

@@ -69,7 +69,8 @@ TEST_F(IntrinsicSymmetryOptions, ParametersReachTheReport)
        "estimate", "--outliers",
        "2.5",      "--pairing",
        "mgd",      "--threads",
-       "2",        "--label-axis",
+       "2",        "--components",
+       "largest",  "--label-axis",
        "off",      "--as-cloud"});
   const nlohmann::json parameters = report().at("parameters");
   EXPECT_EQ(parameters.at("method"), "staged");
@@ -84,6 +85,7 @@ TEST_F(IntrinsicSymmetryOptions, ParametersReachTheReport)
   EXPECT_EQ(parameters.at("normals"), "estimate");
   EXPECT_EQ(parameters.at("outlier_deviations"), 2.5);
   EXPECT_EQ(parameters.at("pairing"), "mgd");
+  EXPECT_EQ(parameters.at("components"), "largest");
   EXPECT_EQ(parameters.at("threads"), 2);
   EXPECT_EQ(report().at("input").at("faces"), 0);
 }
@@ -96,6 +98,7 @@ TEST_F(IntrinsicSymmetryOptions, WrongUsageIsRefusedBeforeAnythingIsWritten)
                                                        {"--radius", "1m"},
                                                        {"--outliers", "-1"},
                                                        {"--normals", "none"},
+                                                       {"--components", "2"},
                                                        {"--pairing", "both"},
                                                        {"--alternatives", "0"},
                                                        {"--samples", "3"},

@@ -38,24 +38,30 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
 /** Share of the points below which a part of the object is missing. */
 constexpr float nearly_all = 0.9F;
 
-/** Share of the usable points of the input that took part. */
+/** Share of the usable points of the input that took part; what was not asked for does not count. */
 float
-shareUsed(const InputSummary& input)
+shareUsed(const InputSummary& input, ComponentUse use)
 {
-  const std::size_t left_out = input.non_finite + input.outside_indices + input.outliers + input.unused;
+  const std::size_t unasked = use == ComponentUse::Largest ? input.other_components : 0;
+  const std::size_t left_out = input.non_finite + input.outside_indices + input.outliers + input.unused + unasked;
   return input.points <= left_out ? 1.0F : static_cast<float>(input.used) / static_cast<float>(input.points - left_out);
+}
+
+void
+addRemark(SymmetryResult& result, const std::string& remark)
+{
+  result.message += (result.message.empty() ? "" : "; ") + remark;
 }
 
 /** A map of a small part of the input is at most that part right; says so where much was left out. */
 void
-boundByShareUsed(SymmetryResult& result)
+boundByShareUsed(SymmetryResult& result, ComponentUse use)
 {
-  const float share = shareUsed(result.input);
+  const float share = shareUsed(result.input, use);
   if (share < nearly_all) {
     result.confidence = std::min(result.confidence, share);
-    result.message += std::string(result.message.empty() ? "" : "; ") +
-                      std::to_string(std::lround(100.0F * (1.0F - share))) +
-                      " % of the points lie apart from the part that was mapped";
+    addRemark(result, std::to_string(std::lround(100.0F * (1.0F - share))) +
+                          " % of the points lie apart from the part that was mapped");
   }
 }
 
@@ -113,9 +119,13 @@ estimateInto(SymmetryResult& result,
     result.confidence *= confidence_of_refused;
     return;
   }
-  boundByShareUsed(result);
+  boundByShareUsed(result, parameters.components);
   for (float& confidence : estimate.confidences) {
     confidence = withMapConfidence(confidence, estimate.confidence, result.confidence);
+  }
+  result.equal_reflections = estimate.equal_reflections;
+  if (result.equal_reflections > 1) {
+    addRemark(result, std::to_string(result.equal_reflections) + " reflections fit equally well");
   }
   // Deliver: in numbers of the input's points; sides and the curve between them.
   result.map = parameters.sparse_only ? MapSummary{} : measured;
@@ -160,7 +170,7 @@ interpretSurface(const Surface& surface,
     timer.start("graph", 0.0);
   }
   Interpretation best = rivals.takeBest();
-  const float share = shareUsed(best.surface.summary);
+  const float share = shareUsed(best.surface.summary, parameters.components);
   if (as_it_stands && (best.estimate.status != SymmetryStatus::Symmetric || best.estimate.confidence < in_doubt ||
                        share < nearly_all)) {
     const float certain = std::min(best.estimate.confidence, share);
