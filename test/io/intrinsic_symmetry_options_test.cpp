@@ -70,7 +70,8 @@ TEST_F(IntrinsicSymmetryOptions, ParametersReachTheReport)
        "2.5",      "--pairing",
        "mgd",      "--threads",
        "2",        "--label-axis",
-       "off",      "--as-cloud"});
+       "off",      "--extremities",
+       "four",     "--as-cloud"});
   const nlohmann::json parameters = report().at("parameters");
   EXPECT_EQ(parameters.at("method"), "staged");
   EXPECT_EQ(parameters.at("metric"), "euclidean");
@@ -83,6 +84,7 @@ TEST_F(IntrinsicSymmetryOptions, ParametersReachTheReport)
   EXPECT_EQ(parameters.at("radius"), 0.25);
   EXPECT_EQ(parameters.at("normals"), "estimate");
   EXPECT_EQ(parameters.at("outlier_deviations"), 2.5);
+  EXPECT_EQ(parameters.at("extremities"), "four");
   EXPECT_EQ(parameters.at("pairing"), "mgd");
   EXPECT_EQ(parameters.at("threads"), 2);
   EXPECT_EQ(report().at("input").at("faces"), 0);
@@ -97,6 +99,7 @@ TEST_F(IntrinsicSymmetryOptions, WrongUsageIsRefusedBeforeAnythingIsWritten)
                                                        {"--outliers", "-1"},
                                                        {"--normals", "none"},
                                                        {"--pairing", "both"},
+                                                       {"--extremities", "5"},
                                                        {"--alternatives", "0"},
                                                        {"--samples", "3"},
                                                        {"--threads", "99999"},

@@ -42,6 +42,7 @@ checkParameters(const SymmetryParameters& parameters)
   checkNamed("method", method_names, parameters.method);
   checkNamed("metric", metric_names, parameters.metric);
   checkNamed("normals", normal_source_names, parameters.normals);
+  checkNamed("extremities", extreme_points_names, parameters.extremities);
   checkNamed("pairing", pairing_names, parameters.pairing);
   constexpr float largest = 1e30F;
   checkRange("k_search", parameters.k_search, 3, 256);
