@@ -95,8 +95,9 @@ describeOptions(Options& options)
                 "evenly spaced samples, 30 (staged: 20) to 20000; 0: the method's default");
   method.number("alternatives", parameters.alternatives, "N",
                 "list up to N reflections, and apart from them the rotations, in the report");
-  method.choice("pairing", parameters.pairing, pairing_names,
-                "what pairs the extreme points of the staged method: agd, mgd or size");
+  method.choice("extremities", parameters.extremities, extreme_points_names,
+                "of the staged method: the limbs' tips are two pairs among nine farthest points, or the first four");
+  method.choice("pairing", parameters.pairing, pairing_names, "what pairs the first four: agd, mgd or size");
   method.count("threads", parameters.threads, thread_limit, "0: one per core");
 
   OptionGroup cloud("Clouds");

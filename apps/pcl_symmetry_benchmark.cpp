@@ -72,6 +72,8 @@ methodOptions(Options& options)
   method.number("neighbours,k", parameters.k_search, "N", "neighbours of a point in the graph of a cloud");
   method.number("landmarks", parameters.landmarks, "N", "sources of full distance fields");
   method.number("samples", parameters.samples, "N", "evenly spaced samples, 0: the method's default");
+  method.choice("extremities", parameters.extremities, extreme_points_names,
+                "of the staged method: the limbs' tips are two pairs among nine farthest points, or the first four");
   method.count("jobs", options.jobs, thread_limit, "models at a time, 0: one per core");
   method.count("threads", options.threads, thread_limit,
                "threads of each estimation, 0: one per core (default 0; 1 with several jobs)");

@@ -16,6 +16,10 @@ struct ModelInput {
   GroundTruth asked; ///< what is scored; empty without ground truth; after a limb was cut off the pairs that are left
 };
 
+/** \brief Per vertex of the file: whether it is left while its true partner is cut off. */
+std::vector<bool>
+oddVertices(const BenchmarkModel& model, const ModelInput& input);
+
 /** \brief Takes what was estimated per point of the input, a map, back to the points of the file. */
 std::vector<Index>
 mapOfFile(const ModelInput& input, const std::vector<Index>& partners);

@@ -31,7 +31,8 @@ printSummaries(std::ostream& out, const std::vector<GroupSummary>& classes, cons
 void
 printConfidence(std::ostream& out, const std::vector<ModelRun>& runs);
 
-/** \brief Writes one line per set: how many of its models ended as no symmetry, and the confidence of the rest. */
+/** \brief Writes one line per set: how many of its models ended as no symmetry, and the confidence of the rest; of those that
+ * are partly symmetric the area without partner over that of the odd part, in the median, and the mean rate of the rest. */
 void
 printRefusals(std::ostream& out, const std::vector<ModelRun>& runs);
 

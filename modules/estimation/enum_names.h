@@ -34,6 +34,9 @@ constexpr EnumName<PairingFeature> pairing_names[] = {{PairingFeature::AverageGe
                                                       {PairingFeature::MinimalGeodesicDistance, "mgd"},
                                                       {PairingFeature::BySurfaceSize, "size"}};
 
+constexpr EnumName<ExtremePoints> extreme_points_names[] = {{ExtremePoints::AmongNine, "nine"},
+                                                            {ExtremePoints::FirstFour, "four"}};
+
 constexpr EnumName<bool> switch_names[] = {{true, "on"}, {false, "off"}};
 
 constexpr EnumName<SymmetryStatus> status_names[] = {{SymmetryStatus::Symmetric, "symmetric"},

@@ -45,6 +45,7 @@ TEST_F(ReportTest, RefusalsAreCountedPerSet)
   runs[1].confidence = 0.4F;
   runs[2].confidence = 0.5F;
   runs[3].status = SymmetryStatus::PartlySymmetric;
+  runs[3].odd_part = OddPartAccuracy{0.1, 0.15, 0.98};
   std::ostringstream out;
   printRefusals(out, runs);
   std::vector<std::string> lines = split(out.str(), '\n');
@@ -57,7 +58,8 @@ TEST_F(ReportTest, RefusalsAreCountedPerSet)
     return numbers;
   };
   EXPECT_EQ(figures(lines[1]), (std::vector<int>{3, 1, 0, 1, 1}));
-  EXPECT_EQ(figures(lines[2]), (std::vector<int>{1, 0, 1, 0, 0})) << "a failure is no answer";
+  EXPECT_EQ(figures(lines[2]), (std::vector<int>{1, 0, 1, 0, 0, 1})) << "a failure is no answer";
+  EXPECT_NE(lines[2].find(" 1.50    98.0"), std::string::npos) << lines[2];
 }
 
 TEST_F(ReportTest, JsonHoldsModelsGroupsCurvesAndConfidence)

@@ -154,6 +154,13 @@ TEST_F(RunTest, WithoutALimbThereIsNothingToScore)
     EXPECT_EQ(run.failure, "");
     EXPECT_FALSE(run.score);
     EXPECT_EQ(run.partners.size(), human.surface.size());
+    ASSERT_EQ(run.odd_part.has_value(), hasMap(run.status));
+    if (run.odd_part) {
+      EXPECT_GT(run.odd_part->true_share, 0.03) << "an arm or a leg whose partner is gone";
+      EXPECT_LT(run.odd_part->true_share, 0.3);
+      EXPECT_GE(run.odd_part->found_share, 0.0);
+      EXPECT_LE(run.odd_part->found_share, 1.0);
+    }
   }
 }
 

@@ -59,6 +59,7 @@ makeParameters(FuzzedDataProvider& bytes)
   parameters.embedding_dimensions = bytes.ConsumeIntegralInRange(1, 21);
   parameters.alternatives = bytes.ConsumeIntegralInRange(0, 5);
   parameters.sparse_only = bytes.ConsumeBool();
+  parameters.extremities = static_cast<ExtremePoints>(bytes.ConsumeIntegralInRange(0, 2));
   parameters.radius = bytes.ConsumeBool() ? 0.0F : coordinate(bytes, true);
   parameters.outlier_deviations = bytes.ConsumeBool() ? 0.0F : coordinate(bytes, true);
   return parameters;

@@ -71,7 +71,8 @@ TEST_F(IntrinsicSymmetryOptions, ParametersReachTheReport)
        "mgd",      "--threads",
        "2",        "--components",
        "largest",  "--label-axis",
-       "off",      "--as-cloud"});
+       "off",      "--extremities",
+       "four",     "--as-cloud"});
   const nlohmann::json parameters = report().at("parameters");
   EXPECT_EQ(parameters.at("method"), "staged");
   EXPECT_EQ(parameters.at("metric"), "euclidean");
@@ -84,6 +85,7 @@ TEST_F(IntrinsicSymmetryOptions, ParametersReachTheReport)
   EXPECT_EQ(parameters.at("radius"), 0.25);
   EXPECT_EQ(parameters.at("normals"), "estimate");
   EXPECT_EQ(parameters.at("outlier_deviations"), 2.5);
+  EXPECT_EQ(parameters.at("extremities"), "four");
   EXPECT_EQ(parameters.at("pairing"), "mgd");
   EXPECT_EQ(parameters.at("components"), "largest");
   EXPECT_EQ(parameters.at("threads"), 2);
@@ -100,6 +102,7 @@ TEST_F(IntrinsicSymmetryOptions, WrongUsageIsRefusedBeforeAnythingIsWritten)
                                                        {"--normals", "none"},
                                                        {"--components", "2"},
                                                        {"--pairing", "both"},
+                                                       {"--extremities", "5"},
                                                        {"--alternatives", "0"},
                                                        {"--samples", "3"},
                                                        {"--threads", "99999"},

@@ -25,6 +25,12 @@ enum class PairingFeature {
   BySurfaceSize            ///< as published: average below 30,000 points, minimal from there on
 };
 
+/** \brief Which points of a surface the staged method takes for the tips of its limbs (paper, section 3.1). */
+enum class ExtremePoints {
+  AmongNine, ///< of the first nine farthest points the two pairs that are most alike: also on animals with a tail
+  FirstFour  ///< literally the first four farthest points, paired by PairingFeature
+};
+
 /** \brief Where the normals of a point cloud without faces come from. */
 enum class NormalSource {
   Estimate, ///< from the neighbours of each point, oriented by propagation
@@ -64,7 +70,8 @@ struct SymmetryParameters {
   int samples = 0;
   /** Dimensions of the staged method's spectral embedding, [2, 20]. */
   int embedding_dimensions = 3;
-  PairingFeature pairing = PairingFeature::AverageGeodesicDistance;
+  ExtremePoints extremities = ExtremePoints::AmongNine;
+  PairingFeature pairing = PairingFeature::AverageGeodesicDistance; ///< of the first four, see ExtremePoints
   /** Deliver no dense map and no alternatives; sides, axis and sparse matches are there all the same. */
   bool sparse_only = false;
   /** Whether points at the axis are labelled Side::Axis; if not, every point that took part is on one of the sides. */

@@ -12,15 +12,22 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-/** The part of the ground truth that is scored: a point that was dropped is nothing the estimation was asked about.
- * \param[in] with_partner nor is one whose partner is gone; where single points were dropped, one next to it will do */
-GroundTruth
-selectTruth(const GroundTruth& truth, const std::vector<Index>& origins, std::size_t points, bool with_partner)
+std::vector<bool>
+presentVertices(const std::vector<Index>& origins, std::size_t points)
 {
   std::vector<bool> is_present(points, false);
   for (const Index origin : origins)
     if (origin != no_index)
       is_present[static_cast<std::size_t>(origin)] = true;
+  return is_present;
+}
+
+/** The part of the ground truth that is scored: a point that was dropped is nothing the estimation was asked about.
+ * \param[in] with_partner nor is one whose partner is gone; where single points were dropped, one next to it will do */
+GroundTruth
+selectTruth(const GroundTruth& truth, const std::vector<Index>& origins, std::size_t points, bool with_partner)
+{
+  const std::vector<bool> is_present = presentVertices(origins, points);
   const auto is_asked = [&](const TruePartner& p) {
     return is_present[static_cast<std::size_t>(p.vertex)] &&
            (!with_partner || is_present[static_cast<std::size_t>(p.partner)]);
@@ -58,6 +65,17 @@ disturbModel(const Surface& mesh, const GroundTruth& truth, const RunOptions& op
 }
 
 } // namespace
+
+std::vector<bool>
+oddVertices(const BenchmarkModel& model, const ModelInput& input)
+{
+  const std::vector<bool> is_present = presentVertices(input.input.origins, input.mesh.size());
+  std::vector<bool> is_odd(input.mesh.size(), false);
+  for (const TruePartner& p : readGroundTruth(model.truth))
+    is_odd[static_cast<std::size_t>(p.vertex)] =
+        is_present[static_cast<std::size_t>(p.vertex)] && !is_present[static_cast<std::size_t>(p.partner)];
+  return is_odd;
+}
 
 std::vector<Index>
 mapOfFile(const ModelInput& input, const std::vector<Index>& partners)

@@ -1,5 +1,7 @@
 #include "benchmark/report_table.h"
 
+#include "base/statistics.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -175,6 +177,8 @@ printRefusals(std::ostream& out, const std::vector<ModelRun>& runs)
     std::size_t refused = 0;
     std::size_t partial = 0;
     std::size_t doubted = 0;
+    std::vector<double> found{}; ///< unsupported area over that of the odd part
+    double rest_rate = 0.0;
   };
   std::map<std::string, Counts> sets;
   for (const ModelRun& run : runs) {
@@ -185,13 +189,22 @@ printRefusals(std::ostream& out, const std::vector<ModelRun>& runs)
     counts.refused += run.status == SymmetryStatus::NoSymmetry ? 1 : 0;
     counts.partial += run.status == SymmetryStatus::PartlySymmetric ? 1 : 0;
     counts.doubted += run.status == SymmetryStatus::Symmetric && run.confidence < doubtful ? 1 : 0;
+    if (run.status == SymmetryStatus::PartlySymmetric && run.odd_part && run.odd_part->true_share > 0.0) {
+      counts.found.push_back(run.odd_part->found_share / run.odd_part->true_share);
+      counts.rest_rate += run.odd_part->rest_rate;
+    }
   }
   out << left("set", name_width) << right("models", 7) << right("refused", 9) << right("partial", 9)
-      << right("conf. < 0.5", 13) << right("more", 6) << '\n';
-  for (const auto& [set, counts] : sets)
+      << right("conf. < 0.5", 13) << right("more", 6) << right("odd area", 10) << right("rest %", 8) << '\n';
+  for (const auto& [set, counts] : sets) {
     out << left(set, name_width) << right(std::to_string(counts.models), 7) << right(std::to_string(counts.refused), 9)
         << right(std::to_string(counts.partial), 9) << right(std::to_string(counts.doubted), 13)
-        << right(std::to_string(counts.models - counts.refused - counts.partial - counts.doubted), 6) << '\n';
+        << right(std::to_string(counts.models - counts.refused - counts.partial - counts.doubted), 6);
+    if (!counts.found.empty())
+      out << number(median(counts.found), 10, 2)
+          << percent(counts.rest_rate / static_cast<double>(counts.found.size()), 8);
+    out << '\n';
+  }
 }
 
 void

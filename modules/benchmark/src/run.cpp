@@ -2,6 +2,7 @@
 
 #include "base/error_text.h"
 #include "base/parallel.h"
+#include "base/vector_math.h"
 #include "benchmark/model_input.h"
 
 #include <pcl/symmetry/symmetry.h>
@@ -32,6 +33,38 @@ takeResult(ModelRun& run, SymmetryResult result, const ModelInput& model)
       run.confidences[static_cast<std::size_t>(origins[i])] = result.confidences[i];
 }
 
+/** Shares of the area of the faces that are left, a third of it for each of their corners. */
+OddPartAccuracy
+scoreOddPart(const ModelRun& run, const ModelInput& model, const RunOptions& options)
+{
+  const std::vector<bool> is_odd = oddVertices(run.model, model);
+  const Surface& left = model.input.surface;
+  double all = 0.0;
+  OddPartAccuracy accuracy;
+  // A cloud has no faces: there every point counts alike.
+  const auto add = [&](Index v, double area) {
+    const Index origin = model.input.origins[static_cast<std::size_t>(v)];
+    if (origin == no_index)
+      return;
+    all += area;
+    accuracy.true_share += is_odd[static_cast<std::size_t>(origin)] ? area : 0.0;
+    accuracy.found_share += run.partners[static_cast<std::size_t>(origin)] == no_index ? area : 0.0;
+  };
+  for (const Triangle& t : left.triangles) {
+    const Vector3& a = left.points[static_cast<std::size_t>(t[0])];
+    const float area =
+        norm(cross(left.points[static_cast<std::size_t>(t[1])] - a, left.points[static_cast<std::size_t>(t[2])] - a));
+    for (const Index v : t)
+      add(v, static_cast<double>(area));
+  }
+  for (std::size_t v = 0; left.triangles.empty() && v < left.size(); ++v)
+    add(static_cast<Index>(v), 1.0);
+  accuracy.true_share /= std::max(all, 1e-30);
+  accuracy.found_share /= std::max(all, 1e-30);
+  accuracy.rest_rate = scoreMap(model.mesh, model.asked, run.partners, options.parameters.threads).correspondenceRate();
+  return accuracy;
+}
+
 void
 runAndScore(ModelRun& run, const RunOptions& options)
 {
@@ -41,6 +74,9 @@ runAndScore(ModelRun& run, const RunOptions& options)
   takeResult(run, estimateIntrinsicSymmetry(model.input.surface, parametersFor(run.model, options)), model);
   if (!model.asked.empty() && !options.cut_limb) {
     run.score = scoreMap(model.mesh, model.asked, run.partners, options.parameters.threads);
+  }
+  if (!model.asked.empty() && options.cut_limb && hasMap(run.status)) {
+    run.odd_part = scoreOddPart(run, model, options);
   }
 }
 

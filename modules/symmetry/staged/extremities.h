@@ -5,12 +5,8 @@
 #pragma once
 
 #include "geodesic/surface_graph.h"
-#include "geodesic/surface_metric.h"
 #include "symmetry/staged/spectral_embedding.h"
 
-#include <pcl/symmetry/symmetry_parameters.h>
-
-#include <array>
 #include <vector>
 
 namespace pcl {
@@ -58,39 +54,6 @@ struct ExtremityFunctions {
  */
 ExtremityFunctions
 extremityFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, float separation, unsigned threads);
-
-/** \brief Two pairs of partners: h1 and f1 on the source side, h2 and f2 on the target side (the paper's E). */
-struct ExtremePairs {
-  Index h1 = no_index;
-  Index h2 = no_index;
-  Index f1 = no_index;
-  Index f2 = no_index;
-};
-
-/** \brief Pairs four extreme points.
- *
- * As published, the two smallest in the feature are partners and so are the two largest. Where that is not clear (the
- * step between the pairs is smaller than one within a pair or than 5 % of the feature) those are partners whose
- * distances to the landmarks are distributed alike: AGD is the mean of this distribution, and different ones may have
- * the same mean.
- *
- * Which of the second pair lies on the side of h1 is decided by the distances on the surface: the paper compares
- * d(h1, f1) with d(h1, f2); here the sums over both sides are compared, which differ by more when one limb is bent.
- * \param[in] points four distinct vertices
- * \param[in] feature per vertex: AGD or MGD
- * \param[in] metric of the surface itself
- * \param[in] landmarks evenly spaced vertices
- */
-ExtremePairs
-pairExtremePoints(const std::array<Index, 4>& points,
-                  const std::vector<float>& feature,
-                  const SurfaceMetric& metric,
-                  const std::vector<Index>& landmarks,
-                  unsigned threads);
-
-/** \brief The function that the parameters choose for pairing. */
-const std::vector<float>&
-pairingFeature(const ExtremityFunctions& functions, PairingFeature feature);
 
 } // namespace symmetry
 } // namespace pcl

@@ -39,6 +39,11 @@ involutionShare(const std::vector<Vector3>& points, const std::vector<Index>& pa
 float
 distortionConfidence(float distortion);
 
+/** \brief What the extreme pairs add to it, a factor: exp (-(cost / 0.8)^4), near 1 unless a limb is missing.
+ * \param[in] cost see ExtremePairs */
+float
+pairsConfidence(float cost);
+
 /** \brief Confidence per vertex in [0, 1]: that of the map, less where the features of the partners differ (root mean
  * square 15 % off: a factor of 1 / e) and where the partner's partner is far (10 % of the diameter: 1 / e). */
 std::vector<float>

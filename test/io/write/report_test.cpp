@@ -100,6 +100,7 @@ TEST_F(Report, NamesAllParameters)
                          {"landmarks", 100},
                          {"samples", 0},
                          {"embedding_dimensions", 3},
+                         {"extremities", "nine"},
                          {"pairing", "size"},
                          {"sparse_only", false},
                          {"label_axis", false},

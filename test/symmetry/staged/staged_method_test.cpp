@@ -159,6 +159,17 @@ TEST(StagedMethod, FindsThePartnersOfBentBodies)
   }
 }
 
+TEST(StagedMethod, FindsThePawsOfAnimalsUnlessTheFirstFourPointsAreAskedFor)
+{
+  const KnownBody animal = body(Body::Quadruped, 1.0, 1);
+  const MapEstimate found = estimate(animal.surface);
+  ASSERT_EQ(found.status, SymmetryStatus::Symmetric) << found.message;
+  EXPECT_GE(rate(animal, found), 0.9);
+  SymmetryParameters literally;
+  literally.extremities = ExtremePoints::FirstFour;
+  EXPECT_NE(estimate(animal.surface, literally).status, SymmetryStatus::Symmetric);
+}
+
 TEST(StagedMethod, PairsLimbsAndPutsTheSidesWhereTheyAre)
 {
   const KnownBody human = body(Body::Human, 0.5, 2);
@@ -256,7 +267,9 @@ TEST(StagedMethod, MeasuresStraightLinesOnRequest)
 TEST(StagedMethod, SaysSoWhereItsLimbsAreNoPairs)
 {
   const KnownBody body_without_leg = body(Body::MissingLeg, 1.0, 1);
-  const MapEstimate found = estimate(body_without_leg.surface);
+  SymmetryParameters literally;
+  literally.extremities = ExtremePoints::FirstFour;
+  const MapEstimate found = estimate(body_without_leg.surface, literally);
   EXPECT_EQ(found.status, SymmetryStatus::NoSymmetry);
   EXPECT_LT(found.confidence, 0.2F);
   expectSound(found, body_without_leg.surface.size());
@@ -298,6 +311,7 @@ TEST(StagedMethod, TakesItsParameters)
   for (const PairingFeature pairing : {PairingFeature::MinimalGeodesicDistance, PairingFeature::BySurfaceSize}) {
     SymmetryParameters parameters;
     parameters.pairing = pairing;
+    parameters.extremities = ExtremePoints::FirstFour;
     expectSound(estimate(human.surface, parameters), human.surface.size());
   }
   SymmetryParameters few;

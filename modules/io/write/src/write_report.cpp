@@ -110,6 +110,7 @@ describeParameters(const SymmetryParameters& parameters)
           {"landmarks", parameters.landmarks},
           {"samples", parameters.samples},
           {"embedding_dimensions", parameters.embedding_dimensions},
+          {"extremities", nameOf(extreme_points_names, parameters.extremities)},
           {"pairing", nameOf(pairing_names, parameters.pairing)},
           {"sparse_only", parameters.sparse_only},
           {"label_axis", parameters.label_axis},

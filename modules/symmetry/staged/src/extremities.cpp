@@ -42,39 +42,6 @@ meanField(const DistanceFields& fields, unsigned threads)
   return mean;
 }
 
-/** How differently the distances from two points (rows of fields) to the landmarks are distributed: the area between
- * the two distribution functions. */
-float
-distributionDistance(const DistanceFields& fields, std::size_t a, std::size_t b, const std::vector<Index>& landmarks)
-{
-  std::vector<float> from_a;
-  std::vector<float> from_b;
-  for (const Index landmark : landmarks) {
-    from_a.push_back(fields.row(a)[landmark]);
-    from_b.push_back(fields.row(b)[landmark]);
-  }
-  std::sort(from_a.begin(), from_a.end());
-  std::sort(from_b.begin(), from_b.end());
-  float sum = 0.0F;
-  for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    sum += std::abs(from_a[i] - from_b[i]);
-  }
-  return sum;
-}
-
-/** Of the three ways to make two pairs of four points the one whose partners see the surface most alike. */
-std::array<std::size_t, 4>
-groupByDistribution(const DistanceFields& fields, const std::vector<Index>& landmarks)
-{
-  const std::array<std::array<std::size_t, 4>, 3> groupings = {{{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}}};
-  std::array<float, 3> costs{};
-  for (std::size_t i = 0; i < groupings.size(); ++i) {
-    const auto [a, b, c, d] = groupings[i];
-    costs[i] = distributionDistance(fields, a, b, landmarks) + distributionDistance(fields, c, d, landmarks);
-  }
-  return groupings[static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin())];
-}
-
 } // namespace
 
 SurfaceGraph
@@ -128,42 +95,6 @@ extremityFunctions(const SurfaceGraph& embedded, Index start, std::size_t sample
   functions.minimal_maxima =
       separated(embedded, localMaxima(embedded, functions.minimal), functions.minimal, separation);
   return functions;
-}
-
-const std::vector<float>&
-pairingFeature(const ExtremityFunctions& functions, PairingFeature feature)
-{
-  const bool large = functions.average.size() >= settings.points_of_large_surface;
-  return feature == PairingFeature::MinimalGeodesicDistance || (feature == PairingFeature::BySurfaceSize && large)
-             ? functions.minimal
-             : functions.average;
-}
-
-ExtremePairs
-pairExtremePoints(const std::array<Index, 4>& points,
-                  const std::vector<float>& feature,
-                  const SurfaceMetric& metric,
-                  const std::vector<Index>& landmarks,
-                  unsigned threads)
-{
-  std::array<Index, 4> sorted = points;
-  std::sort(sorted.begin(), sorted.end(),
-            [&feature](Index a, Index b) { return feature[a] != feature[b] ? feature[a] < feature[b] : a < b; });
-  const DistanceFields fields = metric.fields({sorted.begin(), sorted.end()}, threads);
-
-  const float smallest_step = settings.clear_step * feature[sorted.back()];
-  const auto step = [&](std::size_t i) {
-    return feature[sorted[i + 1]] - feature[sorted[i]];
-  };
-  const bool clear = step(1) >= std::max({step(0), step(2), smallest_step});
-  const auto [h1, h2, f1, f2] = clear ? std::array<std::size_t, 4>{0, 1, 2, 3} : groupByDistribution(fields, landmarks);
-  const float straight = fields.row(h1)[sorted[f1]] + fields.row(h2)[sorted[f2]];
-  const float across = fields.row(h1)[sorted[f2]] + fields.row(h2)[sorted[f1]];
-  ExtremePairs pairs{sorted[h1], sorted[h2], sorted[f1], sorted[f2]};
-  if (across < straight) {
-    std::swap(pairs.f1, pairs.f2);
-  }
-  return pairs;
 }
 
 } // namespace symmetry

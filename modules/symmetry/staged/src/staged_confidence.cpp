@@ -51,6 +51,13 @@ distortionConfidence(float distortion)
   return std::exp(-relative * relative);
 }
 
+float
+pairsConfidence(float cost)
+{
+  const float relative = cost / settings.tolerable_pairs;
+  return std::exp(-relative * relative * relative * relative);
+}
+
 std::vector<float>
 vertexConfidences(
     const std::vector<Vector3>& points, const DenseMap& map, std::size_t features, float diameter, float map_confidence)

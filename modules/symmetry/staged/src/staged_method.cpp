@@ -5,6 +5,7 @@
 #include "symmetry/sides/sides.h"
 #include "symmetry/staged/base_vertices.h"
 #include "symmetry/staged/dense_map.h"
+#include "symmetry/staged/extreme_pairs.h"
 #include "symmetry/staged/extremities.h"
 #include "symmetry/staged/regions.h"
 #include "symmetry/staged/spectral_embedding.h"
@@ -14,12 +15,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace pcl {
 namespace symmetry {
 namespace {
 
 constexpr StageSettings settings{};
+constexpr ExtremitySettings extremity_settings{};
 
 std::unique_ptr<SurfaceMetric>
 makeMetric(const PreparedSurface& surface, Metric metric)
@@ -40,6 +43,29 @@ largestDistance(const DistanceFields& fields, const std::vector<Index>& landmark
     }
   }
   return largest;
+}
+
+/** The tips of two pairs of limbs; nothing where there are no four extreme points. */
+std::optional<ExtremePairs>
+findExtremePairs(const SurfaceGraph& embedded,
+                 Index start,
+                 const ExtremityFunctions& functions,
+                 const SurfaceMetric& metric,
+                 const std::vector<Index>& landmarks,
+                 const SymmetryParameters& parameters)
+{
+  const bool first_four = parameters.extremities == ExtremePoints::FirstFour;
+  const std::vector<Index> points =
+      mutuallyFarthestVertices(embedded, start, first_four ? 4 : extremity_settings.candidates);
+  if (points.size() < 4) {
+    return std::nullopt;
+  }
+  const std::vector<float>& feature = pairingFeature(functions, parameters.pairing);
+  if (first_four) {
+    return pairExtremePoints({points[0], points[1], points[2], points[3]}, feature, metric, landmarks,
+                             parameters.threads);
+  }
+  return chooseExtremePairs(points, feature, metric, landmarks, parameters.threads);
 }
 
 /** m_hf: the midpoint of the path between the midpoints of h1-f1 and h2-f2. */
@@ -163,21 +189,19 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
 
   timer.start("hypotheses", 0.2);
   const SurfaceGraph embedded = embeddedGraph(surface.graph, embedding);
-  const std::vector<Index> extremities = mutuallyFarthestVertices(embedded, start, 4);
-  if (extremities.size() < 4) {
+  const ExtremityFunctions functions = extremityFunctions(embedded, start, settings.average_samples,
+                                                          settings.extremity_separation * estimate.diameter, threads);
+  const std::optional<ExtremePairs> pairs =
+      findExtremePairs(embedded, start, functions, *metric, landmarks, parameters);
+  if (!pairs) {
     estimate.message = "fewer than four distinct extreme points: the staged method needs two pairs of limbs";
     return estimate;
   }
-  const ExtremityFunctions functions = extremityFunctions(embedded, start, settings.average_samples,
-                                                          settings.extremity_separation * estimate.diameter, threads);
-  const ExtremePairs pairs =
-      pairExtremePoints({extremities[0], extremities[1], extremities[2], extremities[3]},
-                        pairingFeature(functions, parameters.pairing), *metric, landmarks, threads);
-  estimate.extremities = {pairs.h1, pairs.h2, pairs.f1, pairs.f2};
-  std::vector<SymmetricMatch> limbs = {{pairs.h1, pairs.h2, no_index, 0.0F}, {pairs.f1, pairs.f2, no_index, 0.0F}};
+  estimate.extremities = {pairs->h1, pairs->h2, pairs->f1, pairs->f2};
+  std::vector<SymmetricMatch> limbs = {{pairs->h1, pairs->h2, no_index, 0.0F}, {pairs->f1, pairs->f2, no_index, 0.0F}};
   BaseVertices base(*metric, threads);
   base.addPairs(limbs);
-  base.addMidpoint(middleOfSides(pairs, *metric, threads));
+  base.addMidpoint(middleOfSides(*pairs, *metric, threads));
   estimate.regions = limbRegions(base.sourceFields(), base.targetFields(), limbs[0].midpoint, limbs[1].midpoint);
 
   timer.start("matching", 0.35); // section 3.3
@@ -191,7 +215,8 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
   }
   BaseVertices last_base(*metric, threads); // the last stage's matches and the extreme points
   last_base.addPairs(estimate.matches);
-  estimate.confidence = distortionConfidence(isometricDistortion(last_base, estimate.matches, estimate.diameter));
+  estimate.confidence = distortionConfidence(isometricDistortion(last_base, estimate.matches, estimate.diameter)) *
+                        pairsConfidence(pairs->cost);
   last_base.addPairs(limbs);
   estimate.side_function =
       absorbSpecks(surface.graph, sideFunction(last_base.sourceFields(), last_base.targetFields()));
