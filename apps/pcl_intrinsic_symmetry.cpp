@@ -128,6 +128,8 @@ void
 checkOptions(const Options& options)
 {
   checkParameterOptions(options.parameters);
+  if (options.parameters.sparse_only && !options.outputs.map.empty())
+    throw UsageError("--map is the dense map, which --sparse leaves out");
   checkEnding("output", options.outputs.labelled, {".ply", ".pcd"});
   checkEnding("axis", options.outputs.axis, {".ply", ".pcd", ".csv"});
   checkEnding("picture", options.outputs.picture, {".png"});

@@ -99,6 +99,7 @@ TEST_F(IntrinsicSymmetryOptions, WrongUsageIsRefusedBeforeAnythingIsWritten)
                                                        {"--outliers", "-1"},
                                                        {"--normals", "none"},
                                                        {"--pairing", "both"},
+                                                       {"--sparse", "--map", folder_.file("map.csv")},
                                                        {"--extremities", "5"},
                                                        {"--alternatives", "0"},
                                                        {"--samples", "3"},
