@@ -81,7 +81,7 @@ describeOptions(Options& options)
   OptionGroup method("Method");
   method.choice("method", parameters.method, method_names, "robust, or staged: the published method step by step");
   method.choice("metric", parameters.metric, metric_names,
-                "geodesic, or euclidean: faster, right only in a symmetric pose");
+                "geodesic, or euclidean: right only in a symmetric pose");
   method.flag("require-whole", options.require_whole,
               "a surface of which a part has no counterpart is not symmetric: exit status 3");
   method.flag("sparse", parameters.sparse_only, "leave out the dense map and alternatives");
