@@ -80,8 +80,9 @@ describeOptions(Options& options)
 
   OptionGroup method("Method");
   method.choice("method", parameters.method, method_names, "robust, or staged: the published method step by step");
-  method.choice("metric", parameters.metric, metric_names,
-                "geodesic, or euclidean: right only in a symmetric pose");
+  method.choice("metric", parameters.metric, metric_names, "geodesic, or euclidean: right only in a symmetric pose");
+  method.choice("components", parameters.components, component_use_names,
+                "all parts of one object, or largest: one connected component");
   method.flag("require-whole", options.require_whole,
               "a surface of which a part has no counterpart is not symmetric: exit status 3");
   method.flag("sparse", parameters.sparse_only, "leave out the dense map and alternatives");
@@ -96,7 +97,7 @@ describeOptions(Options& options)
   method.choice("extremities", parameters.extremities, extreme_points_names,
                 "of the staged method: the limbs' tips are two pairs among nine farthest points, or the first four");
   method.choice("pairing", parameters.pairing, pairing_names, "what pairs the first four: agd, mgd or size");
-  method.count("threads", parameters.threads, most_threads, "0: one per core");
+  method.count("threads", parameters.threads, thread_limit, "0: one per core");
 
   OptionGroup cloud("Clouds");
   cloud.flag("as-cloud", options.as_cloud, "ignore the faces of the file");

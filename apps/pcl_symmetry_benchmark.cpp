@@ -35,10 +35,12 @@ struct Options {
   bool all = false;
   bool graph = false;
   std::string evidence;
+  std::string vertex_evidence;
   RunOptions run;
   unsigned jobs = 1;
   std::optional<unsigned> threads;
   unsigned holes = 0;
+  unsigned variants = 0;
   std::int64_t seed = 1;
   std::string map_folder;
   std::string csv;
@@ -53,7 +55,7 @@ struct Options {
   std::vector<std::string>
   outputs() const
   {
-    return {csv, json, plot, evidence};
+    return {csv, json, plot, evidence, vertex_evidence};
   }
 };
 
@@ -72,8 +74,8 @@ methodOptions(Options& options)
   method.number("samples", parameters.samples, "N", "evenly spaced samples, 0: the method's default");
   method.choice("extremities", parameters.extremities, extreme_points_names,
                 "of the staged method: the limbs' tips are two pairs among nine farthest points, or the first four");
-  method.count("jobs", options.jobs, most_threads, "models at a time, 0: one per core");
-  method.count("threads", options.threads, most_threads,
+  method.count("jobs", options.jobs, thread_limit, "models at a time, 0: one per core");
+  method.count("threads", options.threads, thread_limit,
                "threads of each estimation, 0: one per core (default 0; 1 with several jobs)");
   return method;
 }
@@ -86,6 +88,10 @@ disturbanceOptions(Options& options)
   group.choice("cut-limb", options.run.cut_limb, limb_names,
                "cut off a limb, farthest (its end from its counterpart's) or other: what is left should be "
                "refused, and is not scored");
+  group.count("vary", options.variants, variant_count,
+              "run this many variants of every model beside it, of ten: shuffled, half of the vertices, noise, more "
+              "samples, stretched, a third, fewer samples, mirrored, smoothed, subdivided; one table of variants",
+              Default::Hidden);
   group.number("drop", disturbance.drop, "F", "drop this share of the points at random", Default::Hidden);
   group.count("holes", options.holes, 1024, "cut this many holes", Default::Hidden);
   group.number("hole-share", disturbance.hole_share, "F", "share of the points in all holes");
@@ -115,6 +121,8 @@ describeOptions(Options& options)
   output.file("evidence", options.evidence,
               "write all that is measured on every map of every interpretation to this .csv file, delivered or not, "
               "instead of the scores: what the confidence is calibrated with");
+  output.file("vertex-evidence", options.vertex_evidence,
+              "with --evidence: the same for every scored vertex, into another .csv file");
   output.file("plot", options.plot, "draw the geodesic error curves into this .svg file");
   output.folder("map-dir", options.map_folder, "write each map as SET_MODEL.csv into this folder");
   output.flag("verbose", options.verbose, "seconds per step and properties of the map for each model");
@@ -150,11 +158,15 @@ checkCombination(const Options& options)
   if (!options.evidence.empty() && (options.graph || !options.csv.empty() || !options.json.empty() ||
                                     !options.plot.empty() || !options.map_folder.empty()))
     throw UsageError("--evidence writes nothing else: it goes with no other output");
+  if (!options.vertex_evidence.empty() && options.evidence.empty())
+    throw UsageError("--vertex-evidence goes with --evidence");
   if (options.graph && (options.run.as_cloud || !options.csv.empty() || !options.json.empty() ||
                         !options.plot.empty() || !options.map_folder.empty()))
     throw UsageError("--graph finds no maps: it goes with neither --as-cloud nor an output file");
   if (options.graph && options.run.cut_limb)
     throw UsageError("--graph needs whole models: it does not go with --cut-limb");
+  if (options.variants > 0 && (options.graph || options.run.cut_limb))
+    throw UsageError("--vary goes with neither --graph nor --cut-limb");
 }
 
 /** \brief What follows from several options, or from the words beside them. */
@@ -190,6 +202,7 @@ selectModels(const Options& options)
     else
       selected.push_back(std::move(model));
   }
+  addVariants(selected, options.variants);
   if (without_truth > 0)
     std::cerr << without_truth << " models without ground truth are left out (--all runs them)\n";
   if (selected.empty())
@@ -238,9 +251,11 @@ scoreExistingMap(const Options& options)
 int
 runEvidence(const Options& options)
 {
-  checkWritableFiles({options.evidence});
+  checkWritableFiles({options.evidence, options.vertex_evidence});
   const std::vector<EvidenceRow> rows = collectEvidence(selectModels(options), options.run, options.jobs, std::cerr);
   writeEvidence(options.evidence, rows);
+  if (!options.vertex_evidence.empty())
+    writeVertexEvidence(options.vertex_evidence, rows);
   std::cout << rows.size() << " maps in " << options.evidence << '\n';
   return rows.empty() ? exit_failed : exit_done;
 }
@@ -260,6 +275,11 @@ printResults(const Options& options, const std::vector<ModelRun>& runs)
   if (options.run.cut_limb) {
     std::cout << '\n';
     printRefusals(std::cout, runs);
+    return;
+  }
+  if (options.variants > 0) {
+    std::cout << '\n';
+    printVariants(std::cout, summariseVariants(runs));
     return;
   }
   const std::vector<GroupSummary> classes = summariseClasses(runs);

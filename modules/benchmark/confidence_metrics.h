@@ -48,7 +48,11 @@ enum class JudgedRuns {
 std::vector<Judgement>
 judgeMaps(const std::vector<ModelRun>& runs, JudgedRuns which);
 
-/** \brief One judgement per scored vertex with a partner: its confidence, and whether it is right. */
+/** \brief Error of a partner below which it is what the confidence of a point speaks of, share of the diameter. */
+constexpr double right_vertex_error = 0.05;
+
+/** \brief One judgement per scored vertex with a partner: its confidence, and whether its error is below
+ * right_vertex_error. */
 std::vector<Judgement>
 judgeVertices(const std::vector<ModelRun>& runs);
 

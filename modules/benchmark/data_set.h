@@ -3,6 +3,8 @@
  */
 #pragma once
 
+#include "benchmark/variants.h"
+
 #include <string>
 #include <vector>
 
@@ -11,11 +13,12 @@ namespace symmetry {
 
 /** \brief One model of a data set. */
 struct BenchmarkModel {
-  std::string file;       ///< path of the surface
-  std::string name;       ///< file name without folder and ending
-  std::string set;        ///< name of the data set's folder
-  std::string class_name; ///< models of one class are poses or individuals of one kind
-  std::string truth;      ///< specification for readGroundTruth(); empty where there is none
+  std::string file;                  ///< path of the surface
+  std::string name;                  ///< file name without folder and ending
+  std::string set;                   ///< name of the data set's folder
+  std::string class_name;            ///< models of one class are poses or individuals of one kind
+  std::string truth;                 ///< specification for readGroundTruth(); empty where there is none
+  Variant variant = Variant::AsItIs; ///< how it is changed before all else
 };
 
 /** \brief Finds all models of a data set, or of the data sets in the folders directly below \a folder.
@@ -34,6 +37,10 @@ struct BenchmarkModel {
  */
 std::vector<BenchmarkModel>
 findModels(const std::string& folder);
+
+/** \brief Adds the first \a count variants of every model behind it, named `MODEL~VARIANT`. */
+void
+addVariants(std::vector<BenchmarkModel>& models, std::size_t count);
 
 } // namespace symmetry
 } // namespace pcl

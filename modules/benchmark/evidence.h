@@ -4,6 +4,7 @@
 #pragma once
 
 #include "benchmark/run.h"
+#include "symmetry/confidence/point_confidence.h"
 
 #include <iosfwd>
 #include <string>
@@ -12,6 +13,13 @@
 
 namespace pcl {
 namespace symmetry {
+
+/** \brief What is known of the partner of one scored vertex. */
+struct VertexEvidence {
+  Index vertex = no_index; ///< of the model's file
+  double error = 0.0;      ///< VertexError::geodesic
+  PointEvidence evidence;  ///< at the landmark around it
+};
 
 /** \brief One map of one interpretation of a model, whether it is delivered or not. */
 struct EvidenceRow {
@@ -22,6 +30,7 @@ struct EvidenceRow {
   double rate = 0.0;      ///< Correspondence Rate; where a limb was cut off, of the pairs that are left
   float confidence = 0.0F;
   std::vector<std::pair<std::string, float>> measures; ///< namedMeasures ()
+  std::vector<VertexEvidence> vertices;                ///< empty where a limb was cut off
 };
 
 /** \brief Runs models, \a jobs at a time, by the robust method, and collects a row for every interpretation; in the
@@ -36,6 +45,11 @@ collectEvidence(const std::vector<BenchmarkModel>& models,
  * \throws pcl::IOException cannot be written */
 void
 writeEvidence(const std::string& path, const std::vector<EvidenceRow>& rows);
+
+/** \brief The same for the vertices of all rows, a line each.
+ * \throws pcl::IOException cannot be written */
+void
+writeVertexEvidence(const std::string& path, const std::vector<EvidenceRow>& rows);
 
 } // namespace symmetry
 } // namespace pcl

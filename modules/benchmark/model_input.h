@@ -8,17 +8,26 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief A model, read and disturbed. */
+/** \brief A model, read, varied and disturbed. */
 struct ModelInput {
-  Surface mesh;           ///< as in the file; maps are scored on it
-  DisturbedSurface input; ///< what the estimation gets
+  Surface mesh;                 ///< as in the file; maps are scored on it
+  DisturbedSurface input;       ///< what the estimation gets
+  std::vector<Index> stand_ins; ///< of a variant, see VariedSurface; else empty
   GroundTruth asked; ///< what is scored; empty without ground truth; after a limb was cut off the pairs that are left
 };
+
+/** \brief Takes what was estimated per point of the input, a map, back to the points of the file. */
+std::vector<Index>
+mapOfFile(const ModelInput& input, const std::vector<Index>& partners);
 
 /** \brief Reads a model and its ground truth and disturbs it.
  * \throws as readSurface (), readGroundTruth (), cutLimb () and disturb () */
 ModelInput
 readModel(const BenchmarkModel& model, const RunOptions& options);
+
+/** \brief The parameters of the estimation: those of the options, but for a variant with another number of samples. */
+SymmetryParameters
+parametersFor(const BenchmarkModel& model, const RunOptions& options);
 
 } // namespace symmetry
 } // namespace pcl

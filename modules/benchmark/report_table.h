@@ -39,5 +39,9 @@ printRefusals(std::ostream& out, const std::vector<ModelRun>& runs);
 void
 printScore(std::ostream& out, const MapAccuracy& score);
 
+/** \brief Writes what came of each kind of change, a line per set and kind. */
+void
+printVariants(std::ostream& out, const std::vector<VariantSummary>& summaries);
+
 } // namespace symmetry
 } // namespace pcl

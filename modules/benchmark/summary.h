@@ -40,6 +40,22 @@ summariseClasses(const std::vector<ModelRun>& runs);
 std::vector<GroupSummary>
 summariseSets(const std::vector<GroupSummary>& classes);
 
+/** \brief What came of one kind of change of all models of a set. */
+struct VariantSummary {
+  std::string set;
+  Variant variant = Variant::AsItIs;
+  std::size_t models = 0;         ///< that ran and were scored
+  std::size_t refused = 0;        ///< no map
+  std::size_t right = 0;          ///< maps with a Correspondence Rate that counts as right
+  std::size_t sure_but_wrong = 0; ///< wrong maps with a confidence above one half
+  std::size_t alike = 0;          ///< refused, right or wrong as the model itself
+  double correspondence_rate = 0.0;
+};
+
+/** \brief One summary per set and variant, in the order of the runs. */
+std::vector<VariantSummary>
+summariseVariants(const std::vector<ModelRun>& runs);
+
 /** \brief Share of points with a Geodesic Error below a threshold, as a function of the threshold. */
 struct ErrorCurve {
   std::string name;

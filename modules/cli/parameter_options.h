@@ -9,7 +9,7 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief Most threads, and most estimations at a time, that a program can be asked for. */
-constexpr unsigned most_threads = 1024;
+constexpr unsigned thread_limit = 1024;
 
 /** \brief As checkParameters (), in terms of the command line.
  * \throws UsageError names the option of the parameter that is out of its range */

@@ -27,6 +27,9 @@ constexpr EnumName<Metric> metric_names[] = {{Metric::Geodesic, "geodesic"}, {Me
 constexpr EnumName<NormalSource> normal_source_names[] = {{NormalSource::Estimate, "estimate"},
                                                           {NormalSource::Given, "given"}};
 
+constexpr EnumName<ComponentUse> component_use_names[] = {{ComponentUse::All, "all"},
+                                                          {ComponentUse::Largest, "largest"}};
+
 constexpr EnumName<PairingFeature> pairing_names[] = {{PairingFeature::AverageGeodesicDistance, "agd"},
                                                       {PairingFeature::MinimalGeodesicDistance, "mgd"},
                                                       {PairingFeature::BySurfaceSize, "size"}};

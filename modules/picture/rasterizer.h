@@ -45,13 +45,13 @@ struct Image {
 
 /** \brief An image under construction, white at first. What lies outside is cut off.
  *
- * Opaque shapes are drawn until they have covered the image most_passes times over, and lines as often: a few thousand
+ * Opaque shapes are drawn until they have covered the image pass_limit times over, and lines as often: a few thousand
  * faces, each as large as the image, would otherwise take minutes. What belongs to a surface of any shape covers it
  * less than ten times. */
 class Rasterizer {
 public:
   /** \brief How often the image may be drawn over. */
-  static constexpr int most_passes = 64;
+  static constexpr int pass_limit = 64;
 
   Rasterizer(int width, int height);
 

@@ -3,8 +3,11 @@
  */
 #pragma once
 
+#include "symmetry/confidence/point_confidence.h"
+
 #include <pcl/symmetry/symmetry_result.h>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,12 +28,15 @@ struct MapEstimate {
   float trust = 0.0F;                ///< share of the surface that can be expected to be right under the map
   std::vector<char> is_unsupported;  ///< per point
   std::vector<float> support;        ///< per point, as SymmetryResult::support
-  std::vector<Index> partners;       ///< empty where the staged method was asked for sparse matches only
-  std::vector<float> confidences;    ///< per point, in [0, 1]
-  std::vector<float> side_function;  ///< positive on the source side, negative on the target side, 0 undecided
+  std::vector<PointEvidence> landmark_evidence; ///< of the robust method, per landmark
+  std::vector<Index> landmark_of;               ///< per point: the landmark around it; empty without them
+  std::vector<Index> partners;                  ///< empty where the staged method was asked for sparse matches only
+  std::vector<float> confidences;               ///< per point, in [0, 1]
+  std::vector<float> side_function; ///< positive on the source side, negative on the target side, 0 undecided
   std::vector<Region> regions;
   std::vector<SymmetricMatch> matches;
   std::vector<Index> extremities;
+  std::size_t equal_reflections = 0;        ///< as SymmetryResult::equal_reflections
   std::vector<AlternativeMap> alternatives; ///< reflections
   std::vector<AlternativeMap> rotations;
   std::vector<std::pair<std::string, float>> measures; ///< what speaks for and against the map, by name

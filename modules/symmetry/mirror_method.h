@@ -28,7 +28,12 @@ mirrorPlanesOf(const SampledSurface& sampled, const MirrorSettings& settings);
 std::vector<MirrorFit>
 mirrorPlanesOf(const PreparedSurface& cloud, std::size_t samples, const MirrorSettings& settings);
 
-/** \brief The map that the first of several mirror planes makes, with the others as alternatives.
+/** \brief Whether several planes fit as well as the best one: hypotheses and scores would take one by chance. */
+bool
+haveEqualFits(const std::vector<MirrorFit>& planes);
+
+/** \brief The map that the first of several mirror planes makes, with the others as alternatives and the rotations that
+ * it makes with them.
  *
  * The confidence is the share of the area that comes to lie on the surface.
  * \param[in] planes at least one, see mirrorPlanesOf () */

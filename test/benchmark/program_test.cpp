@@ -140,10 +140,27 @@ TEST_F(BenchmarkProgramTest, CountsTheBodiesThatArePartlySymmetricOrRefusedWitho
   EXPECT_EQ(runBenchmark({writeHuman(), "--cut-limb", "other", "--graph"}).exit_status, 2);
 }
 
+TEST_F(BenchmarkProgramTest, RunsVariantsBesideTheModel)
+{
+  const ProgramRun run = runBenchmark({writeHuman(), "--vary", "2"});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  EXPECT_NE(run.output.find("~shuffled"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("MADE, as it is"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("MADE, half"), std::string::npos) << run.output;
+  EXPECT_EQ(runBenchmark({writeHuman(), "--vary", "11"}).exit_status, 2) << "there are ten";
+  EXPECT_EQ(runBenchmark({writeHuman(), "--vary", "1", "--cut-limb", "other"}).exit_status, 2);
+}
+
 TEST_F(BenchmarkProgramTest, WritesTheEvidenceOfEveryMap)
 {
-  const ProgramRun run = runBenchmark({writeHuman(), "--evidence", path("evidence.csv")});
+  const ProgramRun run =
+      runBenchmark({writeHuman(), "--evidence", path("evidence.csv"), "--vertex-evidence", path("vertices.csv")});
   EXPECT_EQ(run.exit_status, 0) << run.errors;
+  const std::string vertices = read(path("vertices.csv"));
+  EXPECT_EQ(
+      vertices.rfind("set,model,input,number,map_confidence,vertex,error,local_change,fit_distance,reversal\n", 0), 0U);
+  EXPECT_GT(std::count(vertices.begin(), vertices.end(), '\n'), 100) << "a line for every scored vertex";
+  EXPECT_EQ(runBenchmark({writeHuman(), "--vertex-evidence", path("v.csv")}).exit_status, 2);
   std::istringstream table(read(path("evidence.csv")));
   std::string header;
   std::string row;

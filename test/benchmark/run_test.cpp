@@ -121,6 +121,20 @@ TEST_F(RunTest, WhereHolesWereCutOnlyPairsThatAreLeftAreScored)
   EXPECT_GT(expected, 40U);
 }
 
+TEST_F(RunTest, AVariantIsScoredOnTheModelItself)
+{
+  addVariants(models_, variant_count);
+  const ModelRun as_it_is = runModel(models_[0], options_);
+  for (std::size_t i = 1; i <= variant_count; ++i) {
+    const ModelRun run = runModel(models_[i], options_);
+    ASSERT_EQ(run.failure, "") << run.model.name;
+    EXPECT_EQ(run.partners.size(), run.points);
+    ASSERT_TRUE(run.score);
+    EXPECT_EQ(run.score->errors.size(), as_it_is.score->errors.size()) << "whatever became of the vertices";
+    EXPECT_EQ(run.score->isRight(), as_it_is.score->isRight()) << run.model.name;
+  }
+}
+
 TEST_F(RunTest, WithoutALimbThereIsNothingToScore)
 {
   ModelParameters parameters;

@@ -65,6 +65,30 @@ TEST(SummaryTest, CurvesRiseFromZeroToTheShareBelowTheLargestThreshold)
   EXPECT_EQ(curves[1].shares[5], 0.0) << "a failure has no point";
 }
 
+TEST(SummaryTest, AVariantIsComparedWithItsModel)
+{
+  std::vector<ModelRun> runs{test::makeRun("A", "c", "m", 4),          test::makeRun("A", "c", "m~shuffled", 4),
+                             test::makeRun("A", "c", "m~half", 1),     test::makeRun("A", "c", "n", 4),
+                             test::makeRun("A", "c", "n~shuffled", 4), test::makeRun("A", "c", "n~half", 4)};
+  for (const std::size_t i : {1U, 4U})
+    runs[i].model.variant = Variant::Shuffled;
+  for (const std::size_t i : {2U, 5U})
+    runs[i].model.variant = Variant::Half;
+  runs[2].confidence = 0.7F;
+  runs[4].status = SymmetryStatus::NoSymmetry;
+  const std::vector<VariantSummary> summaries = summariseVariants(runs);
+  ASSERT_EQ(summaries.size(), 3U);
+  EXPECT_EQ(summaries[0].variant, Variant::AsItIs);
+  EXPECT_EQ(summaries[0].right, 2U);
+  EXPECT_EQ(summaries[0].alike, 2U);
+  EXPECT_EQ(summaries[1].refused, 1U);
+  EXPECT_EQ(summaries[1].alike, 1U);
+  EXPECT_EQ(summaries[2].right, 1U);
+  EXPECT_EQ(summaries[2].sure_but_wrong, 1U);
+  EXPECT_EQ(summaries[2].models, 2U);
+  EXPECT_DOUBLE_EQ(summaries[2].correspondence_rate, 0.625);
+}
+
 } // namespace
 } // namespace symmetry
 } // namespace pcl

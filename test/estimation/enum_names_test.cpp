@@ -33,6 +33,7 @@ TEST(EnumNames, LeadThereAndBack)
   expectRoundTrip(metric_names, Metric::Euclidean);
   expectRoundTrip(normal_source_names, NormalSource::Given);
   expectRoundTrip(extreme_points_names, ExtremePoints::FirstFour);
+  expectRoundTrip(component_use_names, ComponentUse::Largest);
   expectRoundTrip(pairing_names, PairingFeature::BySurfaceSize);
   expectRoundTrip(status_names, SymmetryStatus::Cancelled);
 }
@@ -43,6 +44,7 @@ TEST(EnumNames, AreThoseOfReportsAndOptions)
   EXPECT_EQ(allNames(metric_names), "geodesic or euclidean");
   EXPECT_EQ(allNames(normal_source_names), "estimate or given");
   EXPECT_EQ(allNames(extreme_points_names), "nine or four");
+  EXPECT_EQ(allNames(component_use_names), "all or largest");
   EXPECT_EQ(allNames(pairing_names), "agd or mgd or size");
   EXPECT_EQ(allNames(status_names), "symmetric or partly_symmetric or no_symmetry or too_few_points or cancelled");
 }

@@ -52,6 +52,7 @@ makeParameters(FuzzedDataProvider& bytes)
   parameters.method = bytes.ConsumeBool() ? Method::Robust : Method::Staged;
   parameters.metric = static_cast<Metric>(bytes.ConsumeIntegralInRange(0, 2));
   parameters.pairing = static_cast<PairingFeature>(bytes.ConsumeIntegralInRange(0, 3));
+  parameters.components = bytes.ConsumeBool() ? ComponentUse::All : ComponentUse::Largest;
   parameters.k_search = bytes.ConsumeIntegralInRange(2, 40);
   parameters.samples = bytes.ConsumeBool() ? 0 : bytes.ConsumeIntegralInRange(19, 200);
   parameters.landmarks = bytes.ConsumeIntegralInRange(9, 100);

@@ -45,7 +45,7 @@ readOptions(const std::vector<const char*>& argv)
   group.words("set", sets, "NAME", "");
   group.number("neighbours,k", parameters.k_search, "N", "");
   group.number("radius", parameters.radius, "R", "");
-  group.count("threads", parameters.threads, most_threads, "");
+  group.count("threads", parameters.threads, thread_limit, "");
   group.choice("method", parameters.method, method_names, "");
   CommandLine line("program", "program INPUT\n");
   line.addLast(std::move(group));

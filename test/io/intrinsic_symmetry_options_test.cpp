@@ -69,7 +69,8 @@ TEST_F(IntrinsicSymmetryOptions, ParametersReachTheReport)
        "estimate", "--outliers",
        "2.5",      "--pairing",
        "mgd",      "--threads",
-       "2",        "--label-axis",
+       "2",        "--components",
+       "largest",  "--label-axis",
        "off",      "--extremities",
        "four",     "--as-cloud"});
   const nlohmann::json parameters = report().at("parameters");
@@ -86,6 +87,7 @@ TEST_F(IntrinsicSymmetryOptions, ParametersReachTheReport)
   EXPECT_EQ(parameters.at("outlier_deviations"), 2.5);
   EXPECT_EQ(parameters.at("extremities"), "four");
   EXPECT_EQ(parameters.at("pairing"), "mgd");
+  EXPECT_EQ(parameters.at("components"), "largest");
   EXPECT_EQ(parameters.at("threads"), 2);
   EXPECT_EQ(report().at("input").at("faces"), 0);
 }
@@ -98,6 +100,7 @@ TEST_F(IntrinsicSymmetryOptions, WrongUsageIsRefusedBeforeAnythingIsWritten)
                                                        {"--radius", "1m"},
                                                        {"--outliers", "-1"},
                                                        {"--normals", "none"},
+                                                       {"--components", "2"},
                                                        {"--pairing", "both"},
                                                        {"--sparse", "--map", folder_.file("map.csv")},
                                                        {"--extremities", "5"},

@@ -196,16 +196,16 @@ TEST(Rasterizer, StopsWhereTheImageHasBeenDrawnOverManyTimes)
   Rasterizer canvas(size, size);
   const auto half = triangle({0, 0, 1}, {size, 0, 1}, {0, size, 1}, red);
   EXPECT_EQ(canvas.pixelsOf(half), size * size);
-  EXPECT_TRUE(canvas.hasRoomFor(Rasterizer::most_passes * canvas.pixelsOf(half)));
-  EXPECT_FALSE(canvas.hasRoomFor(Rasterizer::most_passes * canvas.pixelsOf(half) + 1.0));
-  for (int i = 0; i < Rasterizer::most_passes; ++i)
+  EXPECT_TRUE(canvas.hasRoomFor(Rasterizer::pass_limit * canvas.pixelsOf(half)));
+  EXPECT_FALSE(canvas.hasRoomFor(Rasterizer::pass_limit * canvas.pixelsOf(half) + 1.0));
+  for (int i = 0; i < Rasterizer::pass_limit; ++i)
     canvas.fillTriangle(half);
   EXPECT_FALSE(canvas.hasRoomFor(1.0));
   const Image full = canvas.reduce(1);
   canvas.fillTriangle(triangle({0, 0, 2}, {size, 0, 2}, {0, size, 2}, blue));
   canvas.fillDisc({8, 8, 3}, 5.0F, blue);
   EXPECT_EQ(canvas.reduce(1).pixels, full.pixels);
-  for (int i = 0; i < 2 * Rasterizer::most_passes; ++i)
+  for (int i = 0; i < 2 * Rasterizer::pass_limit; ++i)
     canvas.blendSegment({0, 16, 5}, {size, 16, 5}, size, black, {1.0F, 1.0F});
   const Image blended = canvas.reduce(1);
   EXPECT_NE(blended.pixels, full.pixels);

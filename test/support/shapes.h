@@ -34,6 +34,33 @@ gridMesh(int columns, int rows)
   return grid;
 }
 
+/** \brief The mesh with every triangle split into four; the new points follow the old ones. */
+inline Surface
+finer(const Surface& mesh)
+{
+  Surface split;
+  split.points = mesh.points;
+  std::map<std::pair<Index, Index>, Index> middles;
+  const auto middle = [&](Index a, Index b) {
+    const auto [entry, added] = middles.try_emplace(std::minmax(a, b), static_cast<Index>(split.points.size()));
+    if (added) {
+      Vector3 m{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        m[k] = 0.5F * (mesh.points[a][k] + mesh.points[b][k]);
+      }
+      split.points.push_back(m);
+    }
+    return entry->second;
+  };
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Index ab = middle(a, b);
+    const Index bc = middle(b, c);
+    const Index ca = middle(c, a);
+    split.triangles.insert(split.triangles.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+  }
+  return split;
+}
+
 /** \brief Unit sphere: an octahedron whose triangles are split into four, \a levels times. */
 inline Surface
 sphereMesh(int levels)
@@ -42,31 +69,15 @@ sphereMesh(int levels)
   sphere.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   sphere.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   for (int level = 0; level < levels; ++level) {
-    std::map<std::pair<Index, Index>, Index> middles;
-    const auto middle = [&](Index a, Index b) {
-      const auto [entry, added] = middles.try_emplace(std::minmax(a, b), static_cast<Index>(sphere.points.size()));
-      if (added) {
-        Vector3 m;
-        float squared = 0.0F;
-        for (std::size_t k = 0; k < 3; ++k) {
-          m[k] = sphere.points[a][k] + sphere.points[b][k];
-          squared += m[k] * m[k];
-        }
-        for (float& x : m) {
-          x /= std::sqrt(squared);
-        }
-        sphere.points.push_back(m);
+    const std::size_t old = sphere.size();
+    sphere = finer(sphere);
+    for (std::size_t v = old; v < sphere.size(); ++v) {
+      Vector3& p = sphere.points[v];
+      const float radius = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+      for (float& x : p) {
+        x /= radius;
       }
-      return entry->second;
-    };
-    std::vector<Triangle> finer;
-    for (const auto& [a, b, c] : sphere.triangles) {
-      const Index ab = middle(a, b);
-      const Index bc = middle(b, c);
-      const Index ca = middle(c, a);
-      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
     }
-    sphere.triangles.swap(finer);
   }
   return sphere;
 }

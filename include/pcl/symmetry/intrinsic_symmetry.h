@@ -13,6 +13,7 @@
 #include <pcl/point_types.h>
 #include <pcl/search/search.h>
 
+#include <array>
 #include <type_traits>
 #include <vector>
 
@@ -68,8 +69,8 @@ struct IntrinsicSymmetryResult : public symmetry::SymmetryResult {
  * \endcode
  *
  * Points that are not finite, not among the indices, of a mesh on no face, or not on the largest object (whose parts
- * touch or lie close) take no part: their partner is -1, their side Side::None. Of points at one place the first stands for all. Indices of the result always refer to the
- * input. The same input and parameters give the same bytes for any number of threads. One object must not be used from
+ * touch or lie close) take no part: their partner is -1, their side Side::None. Of points at one place the first stands
+ * for all. Indices of the result always refer to the input. The same input and parameters give the same bytes for any number of threads. One object must not be used from
  * two threads at a time.
  *
  * The class is instantiated for PointXYZ, PointXYZI, PointXYZL, PointXYZRGB, PointXYZRGBA, PointXYZRGBL, PointNormal,
@@ -102,11 +103,20 @@ public:
   setInputCloud(const PointCloudConstPtr& cloud) override;
 
   /** \brief Sets a mesh; its points become the input cloud, polygons become triangle fans.
-   * \param[in] mesh its cloud has float fields x, y, z
-   * \throws pcl::BadArgumentException no mesh, no float x y z, bytes that are not laid out as fields, sizes and steps
+   * Of double positions far from the origin, as map coordinates are, an offset is subtracted, see getInputOffset ().
+   * \param[in] mesh its cloud has float fields x, y, z, or double ones
+   * \throws pcl::BadArgumentException no mesh, no float or double x y z, bytes that are not laid out as fields, sizes and steps
    * say, or a polygon refers to a point that is not there; the earlier input stays */
   void
   setInputMesh(const PolygonMesh::ConstPtr& mesh);
+
+  /** \brief What setInputMesh () subtracted from double positions, zero otherwise: places of the result, as those of its
+   * axis, are by so much nearer to the origin than the mesh; its mirror plane is that of the mesh. */
+  const std::array<double, 3>&
+  getInputOffset() const
+  {
+    return offset_;
+  }
 
   /** \brief Search for the neighbours of a cloud's points; default: a kd-tree (FLANN).
    *
@@ -207,6 +217,7 @@ private:
   symmetry::ProgressCallback progress_;
   SearchPtr search_;
   std::vector<symmetry::Triangle> triangles_;
+  std::array<double, 3> offset_{};
 };
 
 } // namespace pcl

@@ -37,6 +37,12 @@ enum class NormalSource {
   Given     ///< from Surface::normals, of any length; points without one (zero, not finite) get an estimate
 };
 
+/** \brief What takes part of a surface in several connected components. */
+enum class ComponentUse {
+  All,    ///< parts of one object, which touch, overlap or lie close: the default
+  Largest ///< one component, of a mesh that of the largest area, of a cloud that of most points
+};
+
 /** \brief Everything that can be set, with defaults; plain data.
  *
  * No length is absolute: a tolerance is relative to the diameter of the surface (the largest distance
@@ -52,6 +58,7 @@ struct SymmetryParameters {
   /** Longest edge of a cloud's neighbour graph, in the unit of the points; 0: no limit. */
   float radius = 0.0F;
   NormalSource normals = NormalSource::Estimate;
+  ComponentUse components = ComponentUse::All;
   /** Points of a cloud whose mean neighbour distance exceeds the cloud's mean by more than this number of standard
    * deviations are left out; 0: only points several times farther from their neighbours than these are from theirs. */
   float outlier_deviations = 0.0F;

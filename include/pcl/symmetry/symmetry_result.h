@@ -76,6 +76,8 @@ struct InputSummary {
   std::size_t outside_indices = 0;  ///< points that the caller's indices leave out
   std::size_t outliers = 0;         ///< points dropped as outliers
   std::size_t unused = 0;           ///< points of a mesh that no face uses: they are no surface
+  std::size_t welded = 0;           ///< corners of a mesh for which another at the same place stands, but for rounding
+  std::size_t junctions = 0;        ///< corners of a mesh on the side of a triangle, which was cut there
   std::size_t other_components = 0; ///< points dropped since they belong to something else than what was mapped
   std::size_t components = 0;       ///< connected components of the surface, before parts of one object were linked
   std::size_t linked_parts = 0;     ///< components that were linked to one object; 0 where it is in one piece
@@ -146,7 +148,9 @@ struct SymmetryResult {
 
   std::vector<SymmetricMatch> matches; ///< sparse correspondences, spread over limbs and centre of the source side
   std::vector<Index> partners;         ///< dense map
-  std::vector<float> confidences;      ///< per point, in [0, 1]
+  /** Per point, in [0, 1]: the probability that its partner is within 5 % of the diameter of the true one, as far as the
+   * robust method can tell; of the staged method and of a mirror plane a measure of fit. 0 without a partner. */
+  std::vector<float> confidences;
   /** Per point, in [0, 1]: how well its surroundings have a counterpart, by how little the map changes distances there;
    * 0 in the parts that are left out and for points that took no part. */
   std::vector<float> support;
@@ -157,6 +161,9 @@ struct SymmetryResult {
   std::vector<Polyline> axis;     ///< the symmetry axis curve, longest part first
   std::vector<Index> extremities; ///< ends of limbs: source, target, source, target; fewer where there are fewer limbs
   std::vector<UnsupportedPart> unsupported; ///< of a partial map, the largest first
+  /** Mirror planes in which the surface is its own image equally well, the one of the map among them, as far as they
+   * were looked for: 12 may stand for any number. 0 where there is at most one. */
+  std::size_t equal_reflections = 0;
   std::vector<AlternativeMap> alternatives; ///< on request: the reflections, best first; the first is the map above
   std::vector<AlternativeMap> rotations;    ///< on request: maps that keep the orientation, best first
 

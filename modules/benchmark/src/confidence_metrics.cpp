@@ -92,7 +92,7 @@ judgeVertices(const std::vector<ModelRun>& runs)
     for (const VertexError& error : run.score->errors) {
       const auto vertex = static_cast<std::size_t>(error.vertex);
       if (run.partners[vertex] != no_index)
-        judgements.push_back({run.confidences[vertex], error.right});
+        judgements.push_back({run.confidences[vertex], error.geodesic < right_vertex_error});
     }
   }
   return judgements;

@@ -208,5 +208,21 @@ findModels(const std::string& folder)
   }
 }
 
+void
+addVariants(std::vector<BenchmarkModel>& models, std::size_t count)
+{
+  std::vector<BenchmarkModel> all;
+  for (BenchmarkModel& model : models) {
+    const BenchmarkModel as_it_is = std::move(model);
+    all.push_back(as_it_is);
+    for (std::size_t k = 1; k <= count; ++k) {
+      all.push_back(as_it_is);
+      all.back().variant = static_cast<Variant>(k);
+      all.back().name += std::string("~") + toString(all.back().variant);
+    }
+  }
+  models = std::move(all);
+}
+
 } // namespace symmetry
 } // namespace pcl

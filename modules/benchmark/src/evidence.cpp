@@ -29,7 +29,42 @@ mapOfModel(const Interpretation& interpretation, const ModelInput& model)
       of_input[v] = surface.original[partners[surface.representatives[v]]];
     }
   }
-  return undisturbMap(of_input, model.input.origins, model.mesh.size());
+  return mapOfFile(model, of_input);
+}
+
+/** Per vertex of the model's file: the point of the prepared surface that stands for it; no_index where none does. */
+std::vector<Index>
+pointsOfFile(const PreparedSurface& surface, const ModelInput& model)
+{
+  std::vector<Index> in_input = model.stand_ins;
+  if (in_input.empty()) {
+    in_input.assign(model.mesh.size(), no_index);
+    for (std::size_t i = 0; i < model.input.origins.size(); ++i) {
+      if (model.input.origins[i] != no_index) {
+        in_input[static_cast<std::size_t>(model.input.origins[i])] = static_cast<Index>(i);
+      }
+    }
+  }
+  for (Index& v : in_input) {
+    v = v == no_index ? no_index : surface.representatives[static_cast<std::size_t>(v)];
+  }
+  return in_input;
+}
+
+/** What is known of the partners of the scored vertices. */
+std::vector<VertexEvidence>
+vertexEvidence(const Interpretation& interpretation, const ModelInput& model, const MapAccuracy& score)
+{
+  const MapEstimate& estimate = interpretation.estimate;
+  std::vector<VertexEvidence> vertices;
+  const std::vector<Index> points = pointsOfFile(interpretation.surface, model);
+  for (const VertexError& error : score.errors) {
+    const Index point = points[static_cast<std::size_t>(error.vertex)];
+    if (point != no_index && !estimate.landmark_of.empty()) {
+      vertices.push_back({error.vertex, error.geodesic, estimate.landmark_evidence[estimate.landmark_of[point]]});
+    }
+  }
+  return vertices;
 }
 
 std::vector<EvidenceRow>
@@ -40,7 +75,7 @@ evidenceOf(const BenchmarkModel& model, const RunOptions& options)
   StepTimer timer;
   InputSummary summary;
   interpretSurface(
-      input.input.surface, options.parameters,
+      input.input.surface, parametersFor(model, options),
       [&options](const std::vector<Vector3>& points, int k) {
         return searchByKdTree(points, k, options.parameters.threads);
       },
@@ -57,8 +92,12 @@ evidenceOf(const BenchmarkModel& model, const RunOptions& options)
         row.confidence = estimate.map_confidence;
         row.measures = estimate.measures;
         if (!input.asked.empty()) {
-          row.rate = scoreMap(input.mesh, input.asked, mapOfModel(interpretation, input), options.parameters.threads)
-                         .correspondenceRate();
+          const MapAccuracy score =
+              scoreMap(input.mesh, input.asked, mapOfModel(interpretation, input), options.parameters.threads);
+          row.rate = score.correspondenceRate();
+          if (!row.is_cut) {
+            row.vertices = vertexEvidence(interpretation, input, score);
+          }
         }
         if (!row.measures.empty()) {
           rows.push_back(std::move(row));
@@ -114,6 +153,22 @@ writeEvidence(const std::string& path, const std::vector<EvidenceRow>& rows)
       out << ',' << measure.second;
     }
     out << '\n';
+  }
+  writeWholeFile(path, out.str());
+}
+
+void
+writeVertexEvidence(const std::string& path, const std::vector<EvidenceRow>& rows)
+{
+  std::ostringstream out;
+  out.precision(7);
+  out << "set,model,input,number,map_confidence,vertex,error,local_change,fit_distance,reversal\n";
+  for (const EvidenceRow& row : rows) {
+    for (const VertexEvidence& vertex : row.vertices) {
+      out << row.model.set << ',' << row.model.name << ',' << row.input << ',' << row.number << ',' << row.confidence
+          << ',' << vertex.vertex << ',' << vertex.error << ',' << vertex.evidence.local_change << ','
+          << vertex.evidence.fit_distance << ',' << vertex.evidence.reversal << '\n';
+    }
   }
   writeWholeFile(path, out.str());
 }

@@ -1,8 +1,12 @@
 #include "benchmark/model_input.h"
 
+#include "symmetry/samples/sampled_surface.h"
+
 #include <pcl/symmetry/surface_io.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace symmetry {
@@ -27,6 +31,18 @@ selectTruth(const GroundTruth& truth, const std::vector<Index>& origins, std::si
   return selected;
 }
 
+/** The variant of a mesh that is run, with its disturbance. */
+void
+varyModel(ModelInput& result, const BenchmarkModel& model, const RunOptions& options)
+{
+  VariedSurface varied = vary(result.mesh, model.variant, options.disturbance.seed);
+  result.input = disturb(varied.surface, options.disturbance);
+  for (Index& origin : result.input.origins)
+    if (origin != no_index)
+      origin = varied.origins[static_cast<std::size_t>(origin)];
+  result.stand_ins = std::move(varied.stand_ins);
+}
+
 /** The mesh as it is given to the estimation. */
 DisturbedSurface
 disturbModel(const Surface& mesh, const GroundTruth& truth, const RunOptions& options)
@@ -43,6 +59,20 @@ disturbModel(const Surface& mesh, const GroundTruth& truth, const RunOptions& op
 
 } // namespace
 
+std::vector<Index>
+mapOfFile(const ModelInput& input, const std::vector<Index>& partners)
+{
+  const std::vector<Index>& origins = input.input.origins;
+  if (input.stand_ins.empty() || partners.empty())
+    return undisturbMap(partners, origins, input.mesh.size());
+  std::vector<Index> map;
+  for (const Index stand_in : input.stand_ins) {
+    const Index partner = stand_in == no_index ? no_index : partners[static_cast<std::size_t>(stand_in)];
+    map.push_back(partner == no_index ? no_index : origins[static_cast<std::size_t>(partner)]);
+  }
+  return map;
+}
+
 ModelInput
 readModel(const BenchmarkModel& model, const RunOptions& options)
 {
@@ -53,15 +83,31 @@ readModel(const BenchmarkModel& model, const RunOptions& options)
     truth = readGroundTruth(model.truth);
     checkGroundTruth(truth, result.mesh.size(), model.truth);
   }
-  result.input = disturbModel(result.mesh, truth, options);
+  if (model.variant == Variant::AsItIs)
+    result.input = disturbModel(result.mesh, truth, options);
+  else
+    varyModel(result, model, options);
   if (options.as_cloud) {
     result.input.surface.triangles.clear();
   }
   if (!truth.empty()) {
     const bool with_partner = options.disturbance.holes > 0 || options.cut_limb.has_value();
-    result.asked = selectTruth(truth, result.input.origins, result.mesh.size(), with_partner);
+    result.asked = result.stand_ins.empty() ? selectTruth(truth, result.input.origins, result.mesh.size(), with_partner)
+                                            : subsampleTruth(truth);
   }
   return result;
+}
+
+SymmetryParameters
+parametersFor(const BenchmarkModel& model, const RunOptions& options)
+{
+  SymmetryParameters parameters = options.parameters;
+  const float samples = samplesOf(model.variant);
+  if (samples != 1.0F) {
+    const auto usual = static_cast<float>(parameters.samples > 0 ? parameters.samples : SamplingSettings{}.samples);
+    parameters.samples = static_cast<int>(std::lround(samples * usual));
+  }
+  return parameters;
 }
 
 } // namespace symmetry

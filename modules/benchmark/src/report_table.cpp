@@ -79,6 +79,33 @@ printMapConfidence(std::ostream& out, const std::string& name, const std::vector
       << '\n';
 }
 
+/** Whether the confidence of vertices tells right from wrong within each set, and how often it is as it says. */
+void
+printVertexConfidence(std::ostream& out, const std::vector<ModelRun>& runs)
+{
+  std::map<std::string, std::vector<ModelRun>> sets;
+  for (const ModelRun& run : runs)
+    sets[run.model.set].push_back(run);
+  out << "vertex confidence: area under the ROC curve";
+  for (const auto& [set, of_set] : sets)
+    if (const std::optional<double> area = areaUnderRoc(judgeVertices(of_set)))
+      out << ' ' << set << number(*area, 6, 3);
+  out << "\nvertex confidence: right";
+  constexpr int bins = 5;
+  std::array<double, bins> count{};
+  std::array<double, bins> right{};
+  for (const Judgement& judgement : judgeVertices(runs)) {
+    const auto bin = static_cast<std::size_t>(std::clamp(static_cast<int>(bins * judgement.confidence), 0, bins - 1));
+    count[bin] += 1.0;
+    right[bin] += judgement.right ? 1.0 : 0.0;
+  }
+  for (std::size_t bin = 0; bin < bins; ++bin)
+    if (count[bin] > 0.0)
+      out << ' ' << percent(right[bin] / count[bin], 0) << " % of " << number(count[bin], 0, 0) << " below "
+          << number(static_cast<double>(bin + 1) / bins, 0, 1) << (bin + 1 < bins ? "," : "");
+  out << '\n';
+}
+
 } // namespace
 
 void
@@ -136,6 +163,7 @@ printConfidence(std::ostream& out, const std::vector<ModelRun>& runs)
     out << (point.coverage == curve.front().coverage ? " " : ", ") << percent(point.accuracy, 0) << " % of the best "
         << number(100.0 * point.coverage, 0, 0) << " %";
   out << '\n';
+  printVertexConfidence(out, runs);
 }
 
 void
@@ -164,6 +192,20 @@ printRefusals(std::ostream& out, const std::vector<ModelRun>& runs)
     out << left(set, name_width) << right(std::to_string(counts.models), 7) << right(std::to_string(counts.refused), 9)
         << right(std::to_string(counts.partial), 9) << right(std::to_string(counts.doubted), 13)
         << right(std::to_string(counts.models - counts.refused - counts.partial - counts.doubted), 6) << '\n';
+}
+
+void
+printVariants(std::ostream& out, const std::vector<VariantSummary>& summaries)
+{
+  out << left("variant", name_width) << right("models", 7) << right("rate %", 8) << right("right", 7)
+      << right("refused", 9) << right("wrong > 0.5", 13) << right("as the model itself", 21) << '\n';
+  for (const VariantSummary& summary : summaries) {
+    const std::string name = summary.variant == Variant::AsItIs ? "as it is" : toString(summary.variant);
+    out << left(summary.set + ", " + name, name_width) << right(std::to_string(summary.models), 7)
+        << percent(summary.correspondence_rate, 8) << right(std::to_string(summary.right), 7)
+        << right(std::to_string(summary.refused), 9) << right(std::to_string(summary.sure_but_wrong), 13)
+        << right(std::to_string(summary.alike), 21) << '\n';
+  }
 }
 
 void

@@ -17,14 +17,15 @@ namespace {
 
 /** Takes over the result, with the per-point parts in the numbering of the file. */
 void
-takeResult(ModelRun& run, SymmetryResult result, const std::vector<Index>& origins)
+takeResult(ModelRun& run, SymmetryResult result, const ModelInput& model)
 {
+  const std::vector<Index>& origins = model.input.origins;
   run.status = result.status;
   run.message = std::move(result.message);
   run.confidence = result.confidence;
   run.map = result.map;
   run.seconds = std::move(result.seconds);
-  run.partners = undisturbMap(result.partners, origins, run.points);
+  run.partners = mapOfFile(model, result.partners);
   run.confidences.assign(run.points, 0.0F);
   for (std::size_t i = 0; i < result.confidences.size(); ++i)
     if (origins[i] != no_index)
@@ -37,7 +38,7 @@ runAndScore(ModelRun& run, const RunOptions& options)
   const ModelInput model = readModel(run.model, options);
   run.points = model.mesh.size();
   run.faces = model.mesh.triangles.size();
-  takeResult(run, estimateIntrinsicSymmetry(model.input.surface, options.parameters), model.input.origins);
+  takeResult(run, estimateIntrinsicSymmetry(model.input.surface, parametersFor(run.model, options)), model);
   if (!model.asked.empty() && !options.cut_limb) {
     run.score = scoreMap(model.mesh, model.asked, run.partners, options.parameters.threads);
   }

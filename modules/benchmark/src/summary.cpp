@@ -112,6 +112,38 @@ summariseSets(const std::vector<GroupSummary>& classes)
   return sets;
 }
 
+std::vector<VariantSummary>
+summariseVariants(const std::vector<ModelRun>& runs)
+{
+  enum class Outcome : char { Refused, Wrong, Right };
+  const auto outcome_of = [](const ModelRun& run) {
+    return !hasMap(run.status) ? Outcome::Refused : run.score->isRight() ? Outcome::Right : Outcome::Wrong;
+  };
+  std::vector<VariantSummary> summaries;
+  const ModelRun* as_it_is = nullptr;
+  for (const ModelRun& run : runs) {
+    if (run.model.variant == Variant::AsItIs)
+      as_it_is = &run;
+    if (!isScored(run) || !run.failure.empty())
+      continue;
+    auto place = std::find_if(summaries.begin(), summaries.end(), [&run](const VariantSummary& summary) {
+      return summary.set == run.model.set && summary.variant == run.model.variant;
+    });
+    if (place == summaries.end())
+      place = summaries.insert(summaries.end(), {run.model.set, run.model.variant});
+    const Outcome outcome = outcome_of(run);
+    ++place->models;
+    place->refused += outcome == Outcome::Refused ? 1U : 0U;
+    place->right += outcome == Outcome::Right ? 1U : 0U;
+    place->sure_but_wrong += outcome == Outcome::Wrong && run.confidence > 0.5F ? 1U : 0U;
+    place->alike += as_it_is != nullptr && outcome == outcome_of(*as_it_is) ? 1U : 0U;
+    place->correspondence_rate += run.correspondenceRate();
+  }
+  for (VariantSummary& summary : summaries)
+    summary.correspondence_rate /= static_cast<double>(summary.models);
+  return summaries;
+}
+
 std::vector<ErrorCurve>
 errorCurves(const std::vector<ModelRun>& runs, double largest, int steps)
 {

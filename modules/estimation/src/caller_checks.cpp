@@ -39,11 +39,17 @@ checkField(const PCLPointField& field, std::size_t point_step)
 void
 checkCoordinates(const PCLPointCloud2& cloud)
 {
+  int first_type = -1;
   for (const char* name : {"x", "y", "z"}) {
     const int field = getFieldIndex(cloud, name);
+    const int type = field < 0 ? -1 : int{cloud.fields[static_cast<std::size_t>(field)].datatype};
     // Conversion would leave zeros without a word.
-    if (field < 0 || cloud.fields[static_cast<std::size_t>(field)].datatype != PCLPointField::FLOAT32) {
-      refuseArgument("the mesh's cloud has no float field ", name);
+    if (type != PCLPointField::FLOAT32 && type != PCLPointField::FLOAT64) {
+      refuseArgument("the mesh's cloud has no float or double field ", name);
+    }
+    first_type = first_type < 0 ? type : first_type;
+    if (type != first_type) {
+      refuseArgument("of the fields x y z of the mesh's cloud some are float and some double: ", name);
     }
   }
 }

@@ -43,6 +43,7 @@ checkParameters(const SymmetryParameters& parameters)
   checkNamed("metric", metric_names, parameters.metric);
   checkNamed("normals", normal_source_names, parameters.normals);
   checkNamed("extremities", extreme_points_names, parameters.extremities);
+  checkNamed("components", component_use_names, parameters.components);
   checkNamed("pairing", pairing_names, parameters.pairing);
   constexpr float largest = 1e30F;
   checkRange("k_search", parameters.k_search, 3, 256);

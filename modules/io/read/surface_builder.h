@@ -12,7 +12,7 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief Points that an Index can number. */
-constexpr std::uint64_t most_points = 2147483647;
+constexpr std::uint64_t point_limit = 2147483647;
 
 /** \brief True where \a count records of at least \a least_bytes each fit into \a available bytes. */
 inline bool

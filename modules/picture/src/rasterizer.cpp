@@ -69,7 +69,7 @@ shade(const Colour& colour, float brightness)
 Rasterizer::Rasterizer(int width, int height)
     : width_(width),
       height_(height),
-      fills_left_(std::int64_t{most_passes} * width * height),
+      fills_left_(std::int64_t{pass_limit} * width * height),
       blends_left_(fills_left_),
       colours_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), Colour{255, 255, 255}),
       depths_(colours_.size(), -std::numeric_limits<float>::infinity())

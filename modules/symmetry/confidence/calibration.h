@@ -57,6 +57,21 @@ struct CandidateCalibration {
   float fixed_bound = 0.35F; ///< the head, tail and trunk of an animal; more is for the score to judge
 };
 
+/** \brief Weights of pointConfidences () in its logistic function, and the floors of its measures.
+ *
+ * Origin: fitted by performance/calibrate_point_confidence.py to meshes and clouds of all sets of the benchmark; judged
+ * on sets left out (see BENCHMARK.md). The floors are sampling noise. */
+struct PointCalibration {
+  float bias = -6.05F;
+  float map = 0.31F; ///< weight of the logarithm of the odds of the map
+  float map_floor = 1e-3F;
+  float local_change = -0.69F; ///< weight of log (local change + floor)
+  float local_floor = 0.03F;
+  float fit_distance = -1.25F; ///< weight of log (distance + floor)
+  float fit_floor = 1e-3F;
+  float reversal = 2.06F; ///< weight of the reversal, -1 to 1
+};
+
 /** \brief Where a score alone tells right from wrong. */
 struct ScoreCalibration {
   float even = -0.6F; ///< MapScore::value at which right and wrong are equally likely
@@ -66,10 +81,15 @@ struct ScoreCalibration {
   float least_reversal = 0.4F;   ///< thin limbs hold hardly a triangle whose orientation can be told
 };
 
-/** \brief Confidence below which a map is no symmetry, and how holes move it. */
+/** \brief Confidence below which a map is no symmetry; chosen by hand. */
 struct RefusalCalibration {
-  float usual = 0.35F;
-  float with_many_holes = 0.15F;
+  float one_interpretation = 0.35F;
+  float several_interpretations = 0.25F; ///< whose maps have been compared
+  float uncertain = 0.15F;               ///< where noise or gaps between the points make each of them uncertain
+};
+
+/** \brief How many samples at holes explain part of what speaks against a map. */
+struct HoleCalibration {
   float few_holes = 0.02F;  ///< share of the samples at holes that explains nothing
   float many_holes = 0.08F; ///< and that explains all it can
 };

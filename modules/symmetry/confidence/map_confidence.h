@@ -56,12 +56,6 @@ mapConfidence(const MapEvidence& evidence);
 float
 weightOfHoles(float at_holes);
 
-/** \brief A reflection of lower confidence is none: one side has what the other lacks. 0.35; less where holes hide what
- * would tell, down to 0.15.
- * \param[in] known_holes share of the samples into whose cells holes reach, where faces tell */
-float
-leastMapConfidence(float known_holes);
-
 /** \brief What is measured on the finished map bounds its confidence from above, whatever the features say.
  *
  * A face that is torn apart has a corner whose partner is wrong; of a point and its partner from which the map does not
@@ -89,14 +83,6 @@ struct RatedMap {
  * \param[in] least confidence below which a map is refused */
 std::pair<std::size_t, float>
 bestTrustedMap(const std::vector<RatedMap>& maps, float least);
-
-/** \brief Confidence of every point: that of the map, lowered where distances to other samples change.
- *
- * At sample i the mean change |d (i, j) - d (m (i), m (j))| over the landmarks j, share of the diameter, divides the
- * map's confidence by 1 + (change / 5 %)^2.
- */
-std::vector<float>
-pointConfidences(const SampledSurface& sampled, const SampleMap& map, float map_confidence);
 
 } // namespace symmetry
 } // namespace pcl

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "symmetry/mirror/area_samples.h"
 #include "symmetry/mirror/plane_reflection.h"
 #include "symmetry/surface/prepared_surface.h"
 
@@ -15,30 +16,21 @@ namespace symmetry {
 /** \brief Settings of the search for mirror planes; lengths are shares of the diagonal of the bounding box.
  *
  * Origin: the tolerance and the least share are what the verdict "symmetric" of a set of public objects is defined by, and
- * were checked on that set alone; the others were set by hand before anything was run, and are not fitted. */
+ * were checked on that set alone; the others were set by hand before anything was run, and are not fitted. What equal planes
+ * may differ by is what the facets of bodies of revolution make of planes that are equal on the body. */
 struct PlaneSearchSettings {
-  std::size_t directions = 600;     ///< of normals over half a sphere: 6 degrees apart, what the alignment reaches over
-  std::size_t aligned = 6;          ///< of the best directions, distinct ones
-  float distinct = 0.15F;           ///< radians between the normals of distinct planes
-  float hopeless = 0.04F;           ///< mean distance of the images from the surface above which nothing is aligned
-  int rounds = 12;                  ///< of the alignment
-  float tolerance = 0.005F;         ///< within which an image lies on the surface
-  float promising_share = 0.6F;     ///< of the area after the first alignment; what fits less is given up
-  float least_share = 0.95F;        ///< of the area that must come to lie on the surface: the rest is worn or fitted on
+  std::size_t directions = 600; ///< of normals over half a sphere: 6 degrees apart, what the alignment reaches over
+  std::size_t aligned = 12;     ///< of the best directions, each better than those around it: a cube has nine planes
+  float distinct = 0.15F;       ///< radians between the normals of distinct planes
+  float hopeless = 0.04F;       ///< mean distance of the images from the surface above which nothing is aligned
+  int rounds = 12;              ///< of the alignment
+  float tolerance = 0.005F;     ///< within which an image lies on the surface
+  float promising_share = 0.6F; ///< of the area after the first alignment; what fits less is given up
+  float good_share = 0.99F;     ///< below which the alignment is repeated with the surface between the points
+  float least_share = 0.95F;    ///< of the area that must come to lie on the surface: the rest is worn or fitted on
+  float equal_residual = 0.1F;  ///< tolerances by which the mean distances of planes that fit equally well differ,
+  float equal_share = 0.005F;   ///< and the same of the shares of the area
   float least_displacement = 0.02F; ///< mean distance from the plane: a sheet lies in its own plane and maps to itself
-};
-
-/** \brief Evenly spread samples of a surface that stand for their surroundings; arrays have one entry each. */
-struct AreaSamples {
-  std::vector<Vector3> points; ///< the first ones spread over the whole surface, as farthest points do
-  std::vector<Vector3> normals;
-  std::vector<float> areas; ///< they sum up to 1
-
-  std::size_t
-  size() const
-  {
-    return points.size();
-  }
 };
 
 /** \brief A plane, and how well the surface is its own mirror image in it. */
@@ -47,14 +39,18 @@ struct MirrorFit {
   float share = 0.0F;        ///< of the area whose image lies on the surface, within the tolerance
   float residual = 0.0F;     ///< mean distance of the images from the surface, cut at the tolerance
   float displacement = 0.0F; ///< mean distance from the plane
+  bool is_equal = false;     ///< it fits as well as the plane that fits best
 };
 
 /** \brief Planes in which the surface is its own mirror image but for a twentieth of its area, the best first.
  *
+ * Of several that fit equally well the first is the one that most of the surface is far from, which swaps the ends of
+ * what is long: that follows from the shape, and not from the order of its points or the axes of a file.
+ *
  * The mirror plane of a body goes through its centroid: planes through it in all directions are compared by a distance
- * field on a grid (P. Felzenszwalb, D. Huttenlocher: Distance transforms of sampled functions, Theory of Computing 8,
- * 2012), the best are aligned as by iterated closest points (Y. Chen, G. Medioni, 1992 \cite chen1992modelling) with
- * the weights of a robust estimator, since some parts may lack a counterpart.
+ * field on a grid (P. Felzenszwalb, D. Huttenlocher, 2012 \cite felzenszwalb2012distance), the best are aligned as by
+ * iterated closest points (Y. Chen, G. Medioni, 1992 \cite chen1992modelling) with the weights of a robust estimator,
+ * since some parts may lack a counterpart.
  *
  * \param[in] samples of the surface
  */

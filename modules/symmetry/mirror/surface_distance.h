@@ -8,6 +8,7 @@
 #include "symmetry/surface/prepared_surface.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -23,13 +24,26 @@ public:
    * \param[in] reach largest distance that is told */
   SurfaceDistance(const PreparedSurface& surface, float reach);
 
+  /** \brief A place on the surface, and how far it is from another. */
+  struct Nearest {
+    Vector3 place{};
+    float distance = 0.0F;
+  };
+
+  /** \brief The place on the surface that is nearest to another; nothing beyond the reach. */
+  std::optional<Nearest>
+  nearest(const Vector3& place) const;
+
   /** \brief Distance of a place from the surface, infinity beyond the reach. */
   float
   at(const Vector3& place) const;
 
 private:
-  float
-  distanceFromPlane(Index point, const Vector3& place) const;
+  Nearest
+  nearestOfPlane(Index point, const Vector3& place) const;
+
+  Nearest
+  nearestOfTriangle(Index triangle, const Vector3& place) const;
 
   const PreparedSurface& surface_;
   float reach_;

@@ -135,7 +135,7 @@ deliverMap(const SampledSurface& sampled, const SampleEstimate& samples, MapEsti
 {
   estimate.partners = partnersOfPoints(sampled, samples.partners);
   estimate.side_function = pointSides(sampled, samples, estimate.partners);
-  estimate.confidences = pointConfidences(sampled, samples.map, estimate.confidence);
+  estimate.confidences = pointConfidences(sampled, estimate.landmark_evidence, estimate.confidence);
   describeLimbs(sampled, samples.landmark_map, estimate);
   estimate.matches = sparseMatches(sampled, samples, estimate);
 }

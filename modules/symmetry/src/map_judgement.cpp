@@ -1,5 +1,7 @@
 #include "symmetry/map_judgement.h"
 
+#include "symmetry/confidence/calibration.h"
+
 #include <algorithm>
 
 namespace pcl {
@@ -45,7 +47,7 @@ MapJudge::chooseContender(std::vector<Contender>& contenders, MapEvidence& evide
 {
   evidence = evidenceFor(*contenders.front().candidate, contenders.front().samples);
   const float confidence = mapConfidence(evidence);
-  const float least = leastMapConfidence(knownHoles());
+  const float least = RefusalCalibration{}.one_interpretation;
   if (!sampled_.surface.is_cloud || confidence >= least) {
     return confidence;
   }
@@ -97,6 +99,7 @@ MapJudge::judgeSupport(const Contender& contender,
   }
   for (std::size_t v = 0; v < sampled_.surface.size(); ++v) {
     const Index landmark = sampled_.landmarks.nearest_landmark[sampled_.coarse.cells.owner[v]];
+    estimate.landmark_of.push_back(landmark);
     estimate.is_unsupported.push_back(support.is_unsupported[landmark]);
     estimate.support.push_back(std::clamp(sampled_.interpolation.at(v, at_samples), 0.0F, 1.0F));
   }
@@ -118,8 +121,9 @@ MapJudge::verdict(std::vector<Contender>& contenders) const
   estimate.measures = namedMeasures(evidence);
   judgeSupport(contenders.front(), evidence, confidence, estimate);
   estimate.map_confidence = confidence;
+  estimate.landmark_evidence = pointEvidence(sampled_, contenders.front().samples, evidence.local_changes);
   const Contender& best = contenders.front();
-  if (confidence < leastMapConfidence(estimate.known_holes)) {
+  if (confidence < RefusalCalibration{}.one_interpretation) {
     estimate.confidence = confidence_of_refused * confidence;
     if (isReflection(best.samples.score) || isReflection(best.candidate->score)) {
       estimate.message = "the best reflection of the surface fails in one place: one side has what the other lacks";

@@ -64,6 +64,38 @@ planesThatFit(const PreparedSurface& surface, const AreaSamples& samples, const 
   return findMirrorPlanes(samples, surface, search);
 }
 
+std::size_t
+countEqualFits(const std::vector<MirrorFit>& planes)
+{
+  return static_cast<std::size_t>(
+      std::count_if(planes.begin(), planes.end(), [](const MirrorFit& fit) { return fit.is_equal; }));
+}
+
+/** Lists the maps of the planes, and the rotations that the first one makes with each of the others. */
+void
+listPlanes(const SampledSurface& sampled,
+           const std::vector<MirrorFit>& planes,
+           const MirrorSettings& settings,
+           std::size_t maximum,
+           MapEstimate& estimate)
+{
+  const std::vector<Index> first = estimate.partners;
+  float score = planes.front().residual;
+  for (std::size_t k = 0; k < std::min(planes.size(), maximum); ++k) {
+    const MirrorFit& fit = planes[k];
+    std::vector<Index> partners = mapByPlane(sampled, fit.plane, settings).partners;
+    score = std::max(score, fit.residual); // what fits equally well is in no order of residuals
+    if (k > 0) {
+      std::vector<Index> images = first;
+      std::transform(images.begin(), images.end(), images.begin(),
+                     [&](Index image) { return image == no_index ? no_index : partners[image]; });
+      estimate.rotations.push_back(
+          {std::move(images), planes.front().residual + score, std::min(planes.front().share, fit.share), false});
+    }
+    estimate.alternatives.push_back({std::move(partners), score, fit.share, true});
+  }
+}
+
 } // namespace
 
 std::vector<MirrorFit>
@@ -83,6 +115,12 @@ mirrorPlanesOf(const PreparedSurface& cloud, std::size_t samples, const MirrorSe
   }
   even.areas.assign(even.size(), 1.0F / static_cast<float>(std::max<std::size_t>(1, even.size())));
   return planesThatFit(cloud, even, settings);
+}
+
+bool
+haveEqualFits(const std::vector<MirrorFit>& planes)
+{
+  return countEqualFits(planes) > 1;
 }
 
 MapEstimate
@@ -111,11 +149,9 @@ estimateByMirror(const SampledSurface& sampled,
   estimate.partners = std::move(map.partners);
   estimate.side_function = sidesOfPlane(sampled.surface, best.plane);
   describeMap(sampled, estimate);
-  for (std::size_t k = 0; !parameters.sparse_only && parameters.alternatives > 1 && k < planes.size() &&
-                          k < static_cast<std::size_t>(parameters.alternatives);
-       ++k) {
-    estimate.alternatives.push_back(
-        {mapByPlane(sampled, planes[k].plane, settings).partners, planes[k].residual, planes[k].share, true});
+  estimate.equal_reflections = haveEqualFits(planes) ? countEqualFits(planes) : 0;
+  if (parameters.alternatives > 1 && !parameters.sparse_only) {
+    listPlanes(sampled, planes, settings, static_cast<std::size_t>(parameters.alternatives), estimate);
   }
   return estimate;
 }

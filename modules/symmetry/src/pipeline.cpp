@@ -1,14 +1,16 @@
 #include "symmetry/pipeline.h"
 
 #include "base/heartbeat.h"
+#include "symmetry/cloud_as_it_stands.h"
+#include "symmetry/confidence/calibration.h"
 #include "symmetry/confidence/map_confidence.h"
 #include "symmetry/confidence/part_twins.h"
+#include "symmetry/confidence/point_confidence.h"
 #include "symmetry/interpretations.h"
 #include "symmetry/result_delivery.h"
 #include "symmetry/robust_method.h"
 #include "symmetry/sides/map_quality.h"
 #include "symmetry/staged/staged_method.h"
-#include "symmetry/surface/surface_preparation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,69 +35,33 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
   return estimateRobust(prepared, parameters, settings, timer);
 }
 
-/** A cloud with no faces to tell what touches what, understood as it stands in space. */
-class CloudAsItStands {
-public:
-  CloudAsItStands(const Surface& cloud, const SymmetryParameters& parameters, const NeighbourSearch& search)
-      : parameters_(parameters), surface_(prepareAsItStands(cloud, parameters, search))
-  {
-  }
-
-  /** Whether its points are in parts even by their nearest neighbours: those of an object, more likely than of a body. */
-  bool
-  isInParts() const
-  {
-    return !surface_.part_of.empty();
-  }
-
-  /** The map that its mirror plane makes, if there is one that is more certain than a confidence. May be called once. */
-  std::optional<Interpretation>
-  mirrored(float confidence, StepTimer& timer)
-  {
-    const RobustSettings settings;
-    if (surface_.size() < minimum_samples) {
-      return std::nullopt;
-    }
-    const std::vector<MirrorFit> planes = mirrorPlanesOf(surface_, settings.sampling.samples, settings.mirror);
-    if (planes.empty() || planes.front().share <= confidence) {
-      return std::nullopt;
-    }
-    const SampledSurface sampled =
-        sampleSurface(surface_, settings.sampling, parameters_.metric, parameters_.threads, timer);
-    if (sampled.coarse.size() < minimum_samples) {
-      return std::nullopt;
-    }
-    timer.start("dense", 0.8);
-    MapEstimate estimate = estimateByMirror(sampled, planes, parameters_, settings.mirror);
-    return Interpretation{std::move(surface_), std::move(estimate)};
-  }
-
-private:
-  const SymmetryParameters& parameters_;
-  PreparedSurface surface_;
-};
-
 /** Share of the points below which a part of the object is missing. */
 constexpr float nearly_all = 0.9F;
 
-/** Share of the usable points of the input that took part. */
+/** Share of the usable points of the input that took part; what was not asked for does not count. */
 float
-shareUsed(const InputSummary& input)
+shareUsed(const InputSummary& input, ComponentUse use)
 {
-  const std::size_t left_out = input.non_finite + input.outside_indices + input.outliers + input.unused;
+  const std::size_t unasked = use == ComponentUse::Largest ? input.other_components : 0;
+  const std::size_t left_out = input.non_finite + input.outside_indices + input.outliers + input.unused + unasked;
   return input.points <= left_out ? 1.0F : static_cast<float>(input.used) / static_cast<float>(input.points - left_out);
+}
+
+void
+addRemark(SymmetryResult& result, const std::string& remark)
+{
+  result.message += (result.message.empty() ? "" : "; ") + remark;
 }
 
 /** A map of a small part of the input is at most that part right; says so where much was left out. */
 void
-boundByShareUsed(SymmetryResult& result)
+boundByShareUsed(SymmetryResult& result, ComponentUse use)
 {
-  const float share = shareUsed(result.input);
+  const float share = shareUsed(result.input, use);
   if (share < nearly_all) {
     result.confidence = std::min(result.confidence, share);
-    result.message += std::string(result.message.empty() ? "" : "; ") +
-                      std::to_string(std::lround(100.0F * (1.0F - share))) +
-                      " % of the points lie apart from the part that was mapped";
+    addRemark(result, std::to_string(std::lround(100.0F * (1.0F - share))) +
+                          " % of the points lie apart from the part that was mapped");
   }
 }
 
@@ -127,7 +93,7 @@ estimateInto(SymmetryResult& result,
     leaveOutUnsupported(interpretation.estimate);
   }
   const PreparedSurface& prepared = interpretation.surface;
-  const MapEstimate& estimate = interpretation.estimate;
+  MapEstimate& estimate = interpretation.estimate;
   result.input = prepared.summary;
   result.status = estimate.status;
   result.message = estimate.message;
@@ -147,13 +113,20 @@ estimateInto(SymmetryResult& result,
     const float twins = shareOfTwinParts(prepared, estimate.partners);
     result.confidence = std::min({result.confidence, confidenceBound(measured), twins});
   }
-  if (result.confidence < leastMapConfidence(1.0F)) { // the lowest limit there is
+  if (result.confidence < RefusalCalibration{}.uncertain) { // the lowest limit there is
     result.status = SymmetryStatus::NoSymmetry;
     result.message = "the map that fits best tears the surface apart";
     result.confidence *= confidence_of_refused;
     return;
   }
-  boundByShareUsed(result);
+  boundByShareUsed(result, parameters.components);
+  for (float& confidence : estimate.confidences) {
+    confidence = withMapConfidence(confidence, estimate.confidence, result.confidence);
+  }
+  result.equal_reflections = estimate.equal_reflections;
+  if (result.equal_reflections > 1) {
+    addRemark(result, std::to_string(result.equal_reflections) + " reflections fit equally well");
+  }
   // Deliver: in numbers of the input's points; sides and the curve between them.
   result.map = parameters.sparse_only ? MapSummary{} : measured;
   timer.start("axis", 0.9);
@@ -197,7 +170,7 @@ interpretSurface(const Surface& surface,
     timer.start("graph", 0.0);
   }
   Interpretation best = rivals.takeBest();
-  const float share = shareUsed(best.surface.summary);
+  const float share = shareUsed(best.surface.summary, parameters.components);
   if (as_it_stands && (best.estimate.status != SymmetryStatus::Symmetric || best.estimate.confidence < in_doubt ||
                        share < nearly_all)) {
     const float certain = std::min(best.estimate.confidence, share);

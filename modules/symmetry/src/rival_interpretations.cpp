@@ -1,7 +1,9 @@
 #include "symmetry/rival_interpretations.h"
 
 #include "base/vector_math.h"
+#include "symmetry/confidence/calibration.h"
 #include "symmetry/confidence/map_confidence.h"
+#include "symmetry/confidence/point_confidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +55,9 @@ isUncertain(const PreparedSurface& surface)
   if (surface.summary.smoothing_radius > 0.0F) {
     return true;
   }
+  if (!surface.is_cloud || surface.summary.read_as_cloud) {
+    return false; // faces tell what is between the points, and the graph of a mesh has edges across faces
+  }
   std::vector<Index> probed;
   const std::size_t step = std::max<std::size_t>(1, surface.size() / probes);
   for (std::size_t v = 0; v < surface.graph.size(); v += step) {
@@ -65,26 +70,27 @@ isUncertain(const PreparedSurface& surface)
 float
 leastOfSeveralInterpretations(const Interpretation& interpretation)
 {
-  constexpr float uncertain = 0.15F;
-  constexpr float with_many_holes = 0.2F;
-  constexpr float usual = 0.25F;
-  return isUncertain(interpretation.surface)
-             ? uncertain
-             : usual - (usual - with_many_holes) * weightOfHoles(interpretation.estimate.known_holes);
+  constexpr RefusalCalibration refusal;
+  return isUncertain(interpretation.surface) ? refusal.uncertain : refusal.several_interpretations;
 }
 
-/** Of the points and of the other symmetries. */
+/** Gives the map another confidence, and with it the points and the other symmetries, of which it is the first. */
 void
-scaleConfidences(MapEstimate& estimate, float share)
+takeConfidence(MapEstimate& estimate, float confidence)
 {
-  for (float& confidence : estimate.confidences) {
-    confidence = std::min(1.0F, confidence * share);
+  for (float& of_point : estimate.confidences) {
+    of_point = withMapConfidence(of_point, estimate.confidence, confidence);
   }
+  const float share = estimate.map_confidence > 0.0F ? confidence / estimate.map_confidence : 0.0F;
   for (std::vector<AlternativeMap>* maps : {&estimate.alternatives, &estimate.rotations}) {
     for (AlternativeMap& map : *maps) {
       map.confidence = std::min(1.0F, map.confidence * share);
     }
   }
+  if (!estimate.alternatives.empty()) {
+    estimate.alternatives.front().confidence = confidence;
+  }
+  estimate.confidence = confidence;
 }
 
 } // namespace
@@ -196,8 +202,7 @@ RivalInterpretations::takeOdds(Interpretation& interpretation, float confidence)
   if (confidence >= leastOfSeveralInterpretations(interpretation)) {
     estimate.status = estimate.is_partial ? SymmetryStatus::PartlySymmetric : SymmetryStatus::Symmetric;
     estimate.message = estimate.is_partial ? "a part of the surface has no counterpart" : "";
-    scaleConfidences(estimate, estimate.map_confidence > 0.0F ? confidence / estimate.map_confidence : 0.0F);
-    estimate.confidence = confidence;
+    takeConfidence(estimate, confidence);
     return;
   }
   if (estimate.status == SymmetryStatus::Symmetric) {
@@ -212,9 +217,7 @@ RivalInterpretations::takeVotes(Interpretation& interpretation, float evidence) 
 {
   MapEstimate& estimate = interpretation.estimate;
   const float agreement = evidence / static_cast<float>(interpretations_);
-  const float share = std::sqrt(agreement / estimate.confidence);
-  estimate.confidence *= share;
-  scaleConfidences(estimate, share);
+  takeConfidence(estimate, std::sqrt(agreement * estimate.confidence));
   if (estimate.confidence < leastOfSeveralInterpretations(interpretation)) {
     estimate.status = SymmetryStatus::NoSymmetry;
     estimate.message = "hardly any way to read the points shows a symmetry";

@@ -38,9 +38,10 @@ estimateRobust(const PreparedSurface& surface,
   if (sampled.coarse.size() < minimum_samples) {
     return tooFewPoints();
   }
-  // Mirror: what is its own mirror image in space needs no search; that of several parts is rarely anything else.
+  // Mirror: what is its own mirror image in space needs no search; that of several parts is rarely anything else, and
+  // where several planes fit equally well a search would take any one.
   const std::vector<MirrorFit> planes = mirrorPlanesOf(sampled, settings.mirror);
-  if (!planes.empty() && !surface.part_of.empty()) {
+  if (!planes.empty() && (!surface.part_of.empty() || haveEqualFits(planes))) {
     timer.start("dense", 0.8);
     return estimateByMirror(sampled, planes, parameters, settings.mirror);
   }

@@ -1,5 +1,5 @@
 // Positions at map coordinates: what is subtracted, that nothing is lost by it, and that it is added again when written.
-#include "io/read/map_offset.h"
+#include "base/map_offset.h"
 #include "io/sample_result.h"
 #include "support/bytes.h"
 #include "support/temporary_folder.h"

@@ -84,16 +84,28 @@ TEST_F(Report, NamesAllParameters)
   parameters.metric = Metric::Euclidean;
   parameters.normals = NormalSource::Given;
   parameters.pairing = PairingFeature::BySurfaceSize;
+  parameters.components = ComponentUse::Largest;
   parameters.radius = 0.1F;
   parameters.label_axis = false;
   parameters.threads = 2;
   writeReport(path("report.json"), "a.ply", parameters, roofSymmetry());
   const Json written = Json::parse(read(path("report.json"))).at("parameters");
-  const Json expected = {{"method", "staged"},    {"metric", "euclidean"}, {"k_search", 10},
-                         {"radius", 0.1},         {"normals", "given"},    {"outlier_deviations", 0.0},
-                         {"landmarks", 100},      {"samples", 0},          {"embedding_dimensions", 3},
-                         {"extremities", "nine"}, {"pairing", "size"},     {"sparse_only", false},
-                         {"label_axis", false},   {"alternatives", 1},     {"threads", 2}};
+  const Json expected = {{"method", "staged"},
+                         {"metric", "euclidean"},
+                         {"k_search", 10},
+                         {"radius", 0.1},
+                         {"normals", "given"},
+                         {"components", "largest"},
+                         {"outlier_deviations", 0.0},
+                         {"landmarks", 100},
+                         {"samples", 0},
+                         {"embedding_dimensions", 3},
+                         {"extremities", "nine"},
+                         {"pairing", "size"},
+                         {"sparse_only", false},
+                         {"label_axis", false},
+                         {"alternatives", 1},
+                         {"threads", 2}};
   EXPECT_EQ(written, expected);
 }
 

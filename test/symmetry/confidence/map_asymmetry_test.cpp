@@ -1,4 +1,5 @@
 #include "support/human.h"
+#include "symmetry/confidence/calibration.h"
 #include "symmetry/confidence/map_asymmetry.h"
 #include "symmetry/confidence/map_confidence.h"
 #include "symmetry/search/symmetry_search.h"
@@ -214,7 +215,7 @@ TEST(MapConfidence, RefusesAMapFromHeadToTail)
   evidence.worst_distance = 0.0649F;
   evidence.at_holes = 0.206F;
   evidence.spacing = {0.0126F, 1.72F};
-  EXPECT_LT(mapConfidence(evidence), leastMapConfidence(0.0F));
+  EXPECT_LT(mapConfidence(evidence), RefusalCalibration{}.one_interpretation);
 }
 
 TEST(MapConfidence, DoubtsStretchInOnePlaceMoreThanStretchEverywhere)
@@ -281,14 +282,6 @@ TEST(BestTrustedMap, TrustsLessWhatFitsWorse)
   EXPECT_EQ(number, 1U);
   EXPECT_NEAR(confidence, 0.4F, 1e-5F);
   EXPECT_EQ(bestTrustedMap({{-4.0F, 0.1F}, {-4.0F + half_more_misfit, 0.7F}}, 0.35F).first, 0U) << "refused as well";
-}
-
-TEST(LeastMapConfidence, IsLowerWhereThereAreHoles)
-{
-  EXPECT_FLOAT_EQ(leastMapConfidence(0.0F), 0.35F);
-  EXPECT_FLOAT_EQ(leastMapConfidence(0.01F), 0.35F) << "hardly a hole";
-  EXPECT_FLOAT_EQ(leastMapConfidence(0.05F), 0.25F);
-  EXPECT_FLOAT_EQ(leastMapConfidence(0.3F), 0.15F) << "as much as holes can excuse";
 }
 
 TEST(MapConfidence, IsBounded)

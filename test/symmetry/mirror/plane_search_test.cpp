@@ -1,4 +1,5 @@
 #include "base/bounding_box.h"
+#include "support/boxes.h"
 #include "support/known_body.h"
 #include "support/shapes.h"
 #include "symmetry/mirror/plane_search.h"
@@ -7,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace pcl::symmetry;
@@ -30,6 +32,16 @@ turned(Surface mesh)
   const float s = std::sin(0.7F);
   for (Vector3& p : mesh.points) {
     p = {c * p[0] - s * p[1], 0.8F * (s * p[0] + c * p[1]) - 0.6F * p[2], 0.6F * (s * p[0] + c * p[1]) + 0.8F * p[2]};
+  }
+  return mesh;
+}
+
+/** A box of a few corners as a mesh of many. */
+Surface
+splitOften(Surface mesh)
+{
+  for (int round = 0; round < 4; ++round) {
+    mesh = finer(mesh);
   }
   return mesh;
 }
@@ -76,6 +88,60 @@ TEST(FindMirrorPlanes, ASheetIsNoMirrorImageInItsOwnPlane)
     p[0] += 0.2F * p[1]; // a parallelogram has no mirror plane but its own
   }
   EXPECT_TRUE(planesOf(sheet).empty());
+}
+
+void
+expectEqualPlanes(const Surface& mesh, std::size_t count)
+{
+  const std::vector<MirrorFit> planes = planesOf(mesh);
+  EXPECT_EQ(std::count_if(planes.begin(), planes.end(), [](const MirrorFit& fit) { return fit.is_equal; }),
+            static_cast<std::ptrdiff_t>(count));
+  for (const MirrorFit& fit : planes) {
+    EXPECT_TRUE(!fit.is_equal || fit.share > 0.99F) << fit.share;
+  }
+}
+
+TEST(FindMirrorPlanes, FindsAllOfASquareInAnyPosition)
+{
+  expectEqualPlanes(gridMesh(25, 25), 4U);
+  expectEqualPlanes(turned(gridMesh(25, 25)), 4U);
+}
+
+TEST(FindMirrorPlanes, FindsAllNineOfACube)
+{
+  Surface cube;
+  addBox(cube, {0, 0, 0}, {1, 1, 1});
+  for (const Surface& mesh : {splitOften(cube), turned(splitOften(cube))}) {
+    expectEqualPlanes(mesh, 9U);
+  }
+}
+
+TEST(FindMirrorPlanes, OfEqualOnesThePlaneAcrossWhatIsLongIsTheFirst)
+{
+  for (const Vector3& sides : {Vector3{1.5F, 1.0F, 1.2F}, Vector3{1.0F, 1.5F, 1.2F}, Vector3{1.0F, 1.2F, 1.5F}}) {
+    Surface box;
+    addBox(box, {0, 0, 0}, sides);
+    const std::vector<MirrorFit> planes = planesOf(splitOften(box));
+    ASSERT_EQ(planes.size(), 3U);
+    const auto longest = static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin());
+    EXPECT_GT(std::abs(planes[0].plane.normal[longest]), 0.999F);
+  }
+}
+
+TEST(FindMirrorPlanes, WhatIsFittedOnMakesAPlaneWorse)
+{
+  Surface box;
+  addBox(box, {0, 0, 0}, {1.0F, 1.2F, 1.5F});
+  Surface handled = splitOften(box);
+  Surface knob;
+  addBox(knob, {0.4F, 0.55F, 1.52F}, {0.6F, 0.65F, 1.7F}); // on top: two planes are left
+  knob = splitOften(knob);
+  const auto first = static_cast<Index>(handled.size());
+  handled.points.insert(handled.points.end(), knob.points.begin(), knob.points.end());
+  for (const Triangle& t : knob.triangles) {
+    handled.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  expectEqualPlanes(handled, 2U);
 }
 
 } // namespace

@@ -386,4 +386,46 @@ TEST(PreparedSurfaceRepresentatives, OfANoisyCloudAreShared)
   }
 }
 
+/** A sphere of which one octant was left coarse, every triangle with corners of its own, which rounding has moved. */
+TEST(PreparedSurface, CracksDoNotTearASurface)
+{
+  Surface sphere = sphereMesh(0);
+  sphere = scaled(sphere, {1.0F, 0.8F, 0.6F});
+  Surface facets;
+  const auto add = [&facets](const Vector3& a, const Vector3& b, const Vector3& c) {
+    const auto first = static_cast<Index>(facets.size());
+    for (const Vector3& p : {a, b, c}) {
+      const float off = 1e-6F * static_cast<float>(facets.size() % 7);
+      facets.points.push_back({p[0] + off, p[1] - off, p[2] + off});
+    }
+    facets.triangles.push_back({first, first + 1, first + 2});
+  };
+  for (std::size_t i = 0; i < sphere.triangles.size(); ++i) {
+    const Vector3 a = sphere.points[sphere.triangles[i][0]];
+    const Vector3 b = sphere.points[sphere.triangles[i][1]];
+    const Vector3 c = sphere.points[sphere.triangles[i][2]];
+    if (i == 0) {
+      add(a, b, c);
+      continue;
+    }
+    const Vector3 ab = 0.5F * (a + b);
+    const Vector3 bc = 0.5F * (b + c);
+    const Vector3 ca = 0.5F * (c + a);
+    add(a, ab, ca);
+    add(ab, b, bc);
+    add(ca, bc, c);
+    add(ab, bc, ca);
+  }
+  const PreparedSurface prepared = prepare(facets);
+  EXPECT_EQ(prepared.size(), 18U);
+  EXPECT_EQ(prepared.summary.welded, facets.size() - 18U);
+  EXPECT_EQ(prepared.summary.junctions, 3U);
+  EXPECT_EQ(prepared.summary.components, 1U);
+  EXPECT_EQ(prepared.summary.used, facets.size());
+  for (const Vector3& p : facets.points) {
+    const Index v = prepared.representatives[static_cast<std::size_t>(&p - facets.points.data())];
+    EXPECT_LT(distance(prepared.points[v], prepared.scale * p), 1e-4F);
+  }
+}
+
 } // namespace

@@ -62,6 +62,7 @@ IntrinsicSymmetryEstimation<PointT>::setInputCloud(const PointCloudConstPtr& clo
 {
   PCLBase<PointT>::setInputCloud(cloud);
   triangles_.clear();
+  offset_ = {};
 }
 
 template <typename PointT>
@@ -74,11 +75,13 @@ IntrinsicSymmetryEstimation<PointT>::setInputMesh(const PolygonMesh::ConstPtr& m
   symmetry::detail::checkLayout(mesh->cloud);
   auto triangles = symmetry::detail::triangulatePolygons(*mesh);
   const auto cloud = make_shared<PointCloud>();
+  const auto moved = symmetry::detail::withFloatPositions(mesh->cloud);
   if (!mesh->cloud.data.empty()) {
-    fromPCLPointCloud2(mesh->cloud, *cloud);
+    fromPCLPointCloud2(moved ? moved->cloud : mesh->cloud, *cloud);
   }
   PCLBase<PointT>::setInputCloud(cloud);
   triangles_ = std::move(triangles);
+  offset_ = moved ? moved->offset : std::array<double, 3>{};
 }
 
 template <typename PointT>
@@ -129,6 +132,7 @@ IntrinsicSymmetryEstimation<PointT>::inputSurface() const
     symmetry::detail::appendNormal(point, surface.normals);
   }
   surface.triangles = triangles_;
+  surface.offset = offset_;
   return surface;
 }
 

@@ -10,7 +10,9 @@
 #include <pcl/PolygonMesh.h>
 #include <pcl/types.h>
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -43,10 +45,24 @@ appendNeighbours(const std::vector<Vector3>& points,
                  const std::vector<float>& squared_distances,
                  std::vector<Index>& neighbours);
 
-/** \brief Refuses a cloud whose bytes are not laid out as its fields, sizes and steps say, or that has no float x y z.
+/** \brief Refuses a cloud whose bytes are not laid out as its fields, sizes and steps say, or that has no float
+ * or double x y z.
  * \throws pcl::BadArgumentException says what is wrong */
 PCL_SYMMETRY_EXPORTS void
 checkLayout(const PCLPointCloud2& cloud);
+
+/** \brief A cloud with float positions, and what was subtracted from them. */
+struct MovedCloud {
+  PCLPointCloud2 cloud;
+  std::array<double, 3> offset{};
+};
+
+/** \brief Goes over from double positions to float ones, near the origin where these are map coordinates. Other fields
+ * stay as they are.
+ * \param[in] cloud see checkLayout ()
+ * \return nothing where the positions are floats */
+PCL_SYMMETRY_EXPORTS std::optional<MovedCloud>
+withFloatPositions(const PCLPointCloud2& cloud);
 
 /** \brief Polygons as triangle fans.
  * \throws pcl::BadArgumentException a polygon refers to a point that is not there */

@@ -49,7 +49,7 @@ private:
 };
 
 /** \brief A pipe does not say how much will come, and may never end. */
-constexpr std::size_t most_from_stream = std::size_t{4} << 30;
+constexpr std::size_t stream_limit = std::size_t{4} << 30;
 
 constexpr std::size_t first_capacity = std::size_t{1} << 16;
 
@@ -107,8 +107,8 @@ FileContent::readStream(int descriptor)
     if (count == 0)
       break;
     size_ += static_cast<std::size_t>(count);
-    if (size_ == capacity && capacity >= most_from_stream)
-      fail("holds more than " + std::to_string(most_from_stream) + " bytes: save it to a file first");
+    if (size_ == capacity && capacity >= stream_limit)
+      fail("holds more than " + std::to_string(stream_limit) + " bytes: save it to a file first");
     if (size_ == capacity)
       grow(capacity *= 2);
   }

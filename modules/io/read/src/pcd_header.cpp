@@ -10,7 +10,7 @@ namespace symmetry {
 namespace {
 
 /** \brief Bytes that the values of one point may take; keeps all products of sizes far from overflow. */
-constexpr std::size_t most_point_bytes = 1 << 20;
+constexpr std::size_t point_byte_limit = 1 << 20;
 
 /** \brief The lines of the header, as words; fields are made of several lines together. */
 struct HeaderLines {
@@ -128,12 +128,12 @@ private:
     std::size_t point_bytes = 0;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       fields[i].name = names[i];
-      fields[i].value_bytes = toSize("SIZE", sizes[i], 1, most_point_bytes);
-      fields[i].count = toSize("COUNT", counts[i], 0, most_point_bytes); // 0: the field is named, but takes no room
+      fields[i].value_bytes = toSize("SIZE", sizes[i], 1, point_byte_limit);
+      fields[i].count = toSize("COUNT", counts[i], 0, point_byte_limit); // 0: the field is named, but takes no room
       fields[i].is_number = findType(toLower(types[i]), fields[i].value_bytes, fields[i].type);
       point_bytes += fields[i].bytes();
-      if (point_bytes > most_point_bytes)
-        failAt("SIZE", "the fields of one point take more than " + std::to_string(most_point_bytes) + " bytes");
+      if (point_bytes > point_byte_limit)
+        failAt("SIZE", "the fields of one point take more than " + std::to_string(point_byte_limit) + " bytes");
     }
     return fields;
   }
@@ -156,11 +156,11 @@ private:
   std::size_t
   readPoints(PcdHeader& header) const
   {
-    const std::uint64_t width = toSize("WIDTH", wordsOf("WIDTH", 1).front(), 0, most_points);
-    const std::uint64_t height = has("HEIGHT") ? toSize("HEIGHT", wordsOf("HEIGHT", 1).front(), 0, most_points) : 1;
-    if (height != 0 && width > most_points / height)
+    const std::uint64_t width = toSize("WIDTH", wordsOf("WIDTH", 1).front(), 0, point_limit);
+    const std::uint64_t height = has("HEIGHT") ? toSize("HEIGHT", wordsOf("HEIGHT", 1).front(), 0, point_limit) : 1;
+    if (height != 0 && width > point_limit / height)
       failAt("WIDTH", "more points than can be numbered");
-    if (has("POINTS") && toSize("POINTS", wordsOf("POINTS", 1).front(), 0, most_points) != width * height)
+    if (has("POINTS") && toSize("POINTS", wordsOf("POINTS", 1).front(), 0, point_limit) != width * height)
       failAt("POINTS", "POINTS is not WIDTH times HEIGHT");
     header.width = height > 1 ? static_cast<std::size_t>(width) : 0;
     return static_cast<std::size_t>(width * height);

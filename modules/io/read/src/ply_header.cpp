@@ -61,7 +61,7 @@ readElement(TextScanner& text)
   PlyElement element;
   element.name = std::string(text.word());
   const std::int64_t count = text.integer();
-  if (count < 0 || static_cast<std::uint64_t>(count) > most_points)
+  if (count < 0 || static_cast<std::uint64_t>(count) > point_limit)
     text.fail(std::to_string(count) + " is no number of elements");
   element.count = static_cast<std::size_t>(count);
   element.line = text.line();
@@ -92,7 +92,7 @@ readRaster(TextScanner& text, PlyHeader& header)
 {
   const std::string_view name = text.word();
   std::int64_t count = 0;
-  if (!parseInteger(text.word(), count) || count < 1 || static_cast<std::uint64_t>(count) > most_points)
+  if (!parseInteger(text.word(), count) || count < 1 || static_cast<std::uint64_t>(count) > point_limit)
     return;
   if (name == "num_cols")
     header.columns = static_cast<std::size_t>(count);

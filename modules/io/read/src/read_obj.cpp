@@ -38,7 +38,7 @@ private:
     if (keyword == "v") {
       surface_.points.push_back(readVector(origin_));
       readColour();
-      if (surface_.size() > most_points)
+      if (surface_.size() > point_limit)
         text_.fail("more points than can be numbered");
     }
     else if (keyword == "vn") {
@@ -127,7 +127,7 @@ private:
   {
     const std::int64_t number = needInteger(word, part);
     const std::int64_t index = number < 0 ? static_cast<std::int64_t>(count) + number : number - 1;
-    if (number == 0 || index < 0 || index >= static_cast<std::int64_t>(most_points))
+    if (number == 0 || index < 0 || index >= static_cast<std::int64_t>(point_limit))
       text_.fail(quoted(word) + " refers to nothing: there are " + std::to_string(count) + " so far, numbered from 1");
     return index;
   }

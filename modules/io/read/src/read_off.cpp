@@ -115,7 +115,7 @@ private:
   readCount(const char* what)
   {
     const std::int64_t count = text_.integer();
-    if (count < 0 || static_cast<std::uint64_t>(count) > most_points)
+    if (count < 0 || static_cast<std::uint64_t>(count) > point_limit)
       text_.fail(std::to_string(count) + " is no number of " + what);
     return static_cast<std::size_t>(count);
   }
@@ -230,7 +230,7 @@ public:
   {
     const OffCounts counts = readCounts();
     readPoints(counts.points);
-    surface_.triangles.reserve(std::min(counts.faces, (file_.size() - position_) / least_face_bytes));
+    surface_.triangles.reserve(std::min(counts.faces, (file_.size() - position_) / minimum_face_bytes));
     for (std::size_t i = 0; i < counts.faces; ++i)
       readFace();
     return std::move(surface_); // bytes behind the last face are padding of some writers
@@ -238,7 +238,7 @@ public:
 
 private:
   static constexpr std::size_t word_bytes = 4;
-  static constexpr std::size_t least_face_bytes = 2 * word_bytes; // counts of its corners and colours
+  static constexpr std::size_t minimum_face_bytes = 2 * word_bytes; // counts of its corners and colours
 
   const char*
   take(std::size_t words)
@@ -276,7 +276,7 @@ private:
     const auto available = file_.size() - position_;
     if (points < 0 || faces < 0 ||
         !fitsInto(std::uint64_t{static_cast<std::uint32_t>(points)} * pointWords(), word_bytes, available) ||
-        !fitsInto(static_cast<std::uint32_t>(faces), least_face_bytes, available))
+        !fitsInto(static_cast<std::uint32_t>(faces), minimum_face_bytes, available))
       file_.failAtByte(begin, "the file cannot hold " + std::to_string(points) + " points and " +
                                   std::to_string(faces) + " faces (big-endian, as the format says)");
     return {static_cast<std::size_t>(points), static_cast<std::size_t>(faces)};

@@ -1,4 +1,4 @@
-#include "io/read/map_offset.h"
+#include "base/map_offset.h"
 #include "io/read/readers.h"
 
 #include <pcl/symmetry/surface_io.h>
@@ -41,9 +41,9 @@ checkBeginning(const FileContent& file)
 void
 checkResolution(const FileContent& file, const Surface& surface)
 {
-  constexpr double fewest_steps = 500.0;
+  constexpr double minimum_steps = 500.0;
   const double steps = stepsAcross(surface);
-  if (steps < fewest_steps)
+  if (steps < minimum_steps)
     file.fail("holds its coordinates as floats, too far from the origin: they leave " +
               std::to_string(static_cast<int>(steps)) + " steps across the whole surface; write the file in double " +
               "precision, or nearer to the origin");

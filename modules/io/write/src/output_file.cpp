@@ -43,12 +43,12 @@ struct Place {
 Place
 followLinks(const std::string& path)
 {
-  constexpr int most_links = 40; // as the system allows
+  constexpr int link_limit = 40; // as the system allows
   if (path == standard_stream)
     return {"", STDOUT_FILENO};
   std::filesystem::path place = path;
   std::error_code none;
-  for (int i = 0; i < most_links && std::filesystem::is_symlink(place, none); ++i) {
+  for (int i = 0; i < link_limit && std::filesystem::is_symlink(place, none); ++i) {
     const int descriptor = descriptorNamed(place);
     if (descriptor != no_descriptor)
       return {"", descriptor};
@@ -162,7 +162,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path)
 void
 OutputFile::createBeside(unsigned mode, bool exists)
 {
-  constexpr int most_attempts = 1000; // that many others write the same file
+  constexpr int attempt_limit = 1000; // that many others write the same file
   for (int attempt = 0; descriptor_ < 0; ++attempt) {
     temporary_ = nameBeside(target_, attempt);
     removeLeftover(temporary_);
@@ -171,7 +171,7 @@ OutputFile::createBeside(unsigned mode, bool exists)
     if (descriptor_ < 0) {
       const int error = errno;
       unfinished_.forget();
-      if (error != EEXIST || attempt == most_attempts) {
+      if (error != EEXIST || attempt == attempt_limit) {
         temporary_.clear();
         errno = error;
         failWithSystemError();

@@ -17,9 +17,9 @@ struct Place {
   std::array<char, PATH_MAX> name{};
 };
 
-constexpr std::size_t most_files = 32; ///< that are written at a time: one by each thread that writes
+constexpr std::size_t file_limit = 32; ///< that are written at a time: one by each thread that writes
 
-std::array<Place, most_files> places;
+std::array<Place, file_limit> places;
 
 } // namespace
 

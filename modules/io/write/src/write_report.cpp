@@ -43,6 +43,8 @@ describeInput(const std::string& file, const InputSummary& input)
           {"outside_indices", input.outside_indices},
           {"outliers", input.outliers},
           {"unused", input.unused},
+          {"welded", input.welded},
+          {"junctions", input.junctions},
           {"other_components", input.other_components},
           {"components", input.components},
           {"linked_parts", input.linked_parts},
@@ -103,6 +105,7 @@ describeParameters(const SymmetryParameters& parameters)
           {"k_search", parameters.k_search},
           {"radius", toJson(parameters.radius)},
           {"normals", nameOf(normal_source_names, parameters.normals)},
+          {"components", nameOf(component_use_names, parameters.components)},
           {"outlier_deviations", toJson(parameters.outlier_deviations)},
           {"landmarks", parameters.landmarks},
           {"samples", parameters.samples},
@@ -171,6 +174,8 @@ writeReport(const std::string& path,
     report["mirror_plane"] = describePlane(result.plane);
   if (!result.unsupported.empty())
     report["unsupported"] = describeUnsupported(result.unsupported);
+  if (result.equal_reflections > 1)
+    report["equal_reflections"] = result.equal_reflections;
   if (result.alternatives.size() > 1) {
     report["alternatives"] = describeAlternatives(result.alternatives);
     report["rotations"] = describeAlternatives(result.rotations);

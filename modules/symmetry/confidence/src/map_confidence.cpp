@@ -22,7 +22,7 @@ logistic(float evidence)
 constexpr MapCalibration map_calibration;
 constexpr CandidateCalibration candidate_calibration;
 constexpr ScoreCalibration score_calibration;
-constexpr RefusalCalibration refusal_calibration;
+constexpr HoleCalibration hole_calibration;
 
 /** How much of the evidence against a map comes from how badly the surface is known, and not from the map. */
 float
@@ -99,15 +99,8 @@ confidenceBound(const MapSummary& map)
 float
 weightOfHoles(float at_holes)
 {
-  const RefusalCalibration& c = refusal_calibration;
+  const HoleCalibration& c = hole_calibration;
   return std::clamp((at_holes - c.few_holes) / (c.many_holes - c.few_holes), 0.0F, 1.0F);
-}
-
-float
-leastMapConfidence(float known_holes)
-{
-  const RefusalCalibration& c = refusal_calibration;
-  return c.usual - (c.usual - c.with_many_holes) * weightOfHoles(known_holes);
 }
 
 std::pair<std::size_t, float>
@@ -120,37 +113,6 @@ bestTrustedMap(const std::vector<RatedMap>& maps, float least)
     }
   }
   return {0, maps[0].confidence};
-}
-
-std::vector<float>
-pointConfidences(const SampledSurface& sampled, const SampleMap& map, float map_confidence)
-{
-  constexpr float tolerance = 0.05F;
-  constexpr std::size_t maximum_probes = 200;
-  const LandmarkSurface& landmarks = sampled.landmarks;
-  const SampleInterpolation& interpolation = sampled.interpolation;
-  const std::size_t probes = std::min(maximum_probes, landmarks.size());
-  std::vector<float> change_at_landmark(landmarks.size(), 0.0F);
-  for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const auto image = static_cast<Eigen::Index>(landmarks.nearest_landmark[map[i]]);
-    for (std::size_t j = 0; j < probes; ++j) {
-      const auto column = static_cast<Eigen::Index>(j);
-      change_at_landmark[i] +=
-          std::abs(landmarks.distances(row, column) - landmarks.distances(image, landmarks.nearest_landmark[map[j]]));
-    }
-    change_at_landmark[i] /= static_cast<float>(probes) * landmarks.diameter * tolerance;
-  }
-  std::vector<float> change(sampled.coarse.size());
-  for (std::size_t i = 0; i < sampled.coarse.size(); ++i) {
-    change[i] = change_at_landmark[landmarks.nearest_landmark[i]];
-  }
-  std::vector<float> confidences(interpolation.offsets.size() - 1);
-  for (std::size_t v = 0; v < confidences.size(); ++v) {
-    const float at_point = interpolation.at(v, change);
-    confidences[v] = std::clamp(map_confidence / (1.0F + at_point * at_point), 0.0F, 1.0F);
-  }
-  return confidences;
 }
 
 } // namespace symmetry

@@ -8,8 +8,8 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-/** Squared distances along a line from given ones: the lower envelope of parabolas (P. Felzenszwalb, D. Huttenlocher,
- * 2012). */
+/** Squared distances along a line from given ones: the lower envelope of parabolas (P. Felzenszwalb,
+ * D. Huttenlocher, 2012 \cite felzenszwalb2012distance). */
 class LineTransform {
 public:
   explicit LineTransform(std::size_t size) : roots_(size), borders_(size + 1), values_(size)

@@ -10,10 +10,10 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-/** The point of a triangle nearest to a place (C. Ericson, Real-time collision detection, 2005, section 5.1.5: by the
+/** The point of a triangle nearest to a place (C. Ericson, 2005 \cite ericson2005collision, section 5.1.5: by the
  * Voronoi region of the triangle that the place is in). */
 Vector3
-nearestOfTriangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
+closestPoint(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 ab = b - a;
   const Vector3 ac = c - a;
@@ -106,34 +106,49 @@ SurfaceDistance::SurfaceDistance(const PreparedSurface& surface, float reach)
 {
 }
 
-float
-SurfaceDistance::distanceFromPlane(Index point, const Vector3& place) const
+SurfaceDistance::Nearest
+SurfaceDistance::nearestOfPlane(Index point, const Vector3& place) const
 {
   const Vector3 way = place - surface_.points[point];
   const float apart = norm(way);
-  return apart <= radii_[point] ? std::abs(dot(way, surface_.normals[point])) : apart;
+  if (apart > radii_[point]) {
+    return {surface_.points[point], apart};
+  }
+  const float height = dot(way, surface_.normals[point]);
+  return {place - height * surface_.normals[point], std::abs(height)};
+}
+
+SurfaceDistance::Nearest
+SurfaceDistance::nearestOfTriangle(Index triangle, const Vector3& place) const
+{
+  const Triangle& t = surface_.triangles[triangle];
+  const Vector3 closest = closestPoint(place, surface_.points[t[0]], surface_.points[t[1]], surface_.points[t[2]]);
+  return {closest, distance(place, closest)};
+}
+
+std::optional<SurfaceDistance::Nearest>
+SurfaceDistance::nearest(const Vector3& place) const
+{
+  std::optional<Nearest> best;
+  float least = reach_;
+  grid_.visitAround(place, [&](Index i) {
+    if (!surface_.is_cloud && distance(middles_[i], place) > least + radii_[i]) {
+      return;
+    }
+    const Nearest found = surface_.is_cloud ? nearestOfPlane(i, place) : nearestOfTriangle(i, place);
+    if (found.distance <= least) {
+      least = found.distance;
+      best = found;
+    }
+  });
+  return best;
 }
 
 float
 SurfaceDistance::at(const Vector3& place) const
 {
-  float least = reach_;
-  bool is_near = false;
-  grid_.visitAround(place, [&](Index i) {
-    if (surface_.is_cloud) {
-      const float apart = distanceFromPlane(i, place);
-      is_near = is_near || apart <= least;
-      least = std::min(least, apart);
-    }
-    else if (distance(middles_[i], place) <= least + radii_[i]) {
-      const Triangle& t = surface_.triangles[i];
-      const std::vector<Vector3>& points = surface_.points;
-      const float apart = distance(place, nearestOfTriangle(place, points[t[0]], points[t[1]], points[t[2]]));
-      is_near = is_near || apart <= least;
-      least = std::min(least, apart);
-    }
-  });
-  return is_near ? least : std::numeric_limits<float>::infinity();
+  const std::optional<Nearest> found = nearest(place);
+  return found ? found->distance : std::numeric_limits<float>::infinity();
 }
 
 } // namespace symmetry

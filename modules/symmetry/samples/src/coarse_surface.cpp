@@ -153,9 +153,9 @@ dualTriangles(const std::vector<Triangle>& triangles, const std::vector<Index>& 
   sortUnique(dual);
   // A surface has two per cell. Faces that join anything with anything have thousands, and no sense of orientation that
   // every other one of them would not have as well.
-  constexpr std::size_t most_per_cell = 8;
+  constexpr std::size_t points_per_cell = 8;
   const std::size_t most =
-      most_per_cell * static_cast<std::size_t>(owner.empty() ? 0 : *std::max_element(owner.begin(), owner.end()) + 1);
+      points_per_cell * static_cast<std::size_t>(owner.empty() ? 0 : *std::max_element(owner.begin(), owner.end()) + 1);
   if (dual.size() > most) {
     const std::size_t step = (dual.size() + most - 1) / most;
     for (std::size_t i = 0; i * step < dual.size(); ++i) {

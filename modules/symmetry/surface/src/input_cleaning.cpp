@@ -3,9 +3,11 @@
 #include "base/heartbeat.h"
 #include "base/vector_math.h"
 #include "symmetry/surface/cloud_cleaning.h"
+#include "symmetry/surface/junction_closing.h"
 #include "symmetry/surface/mesh_cleaning.h"
 #include "symmetry/surface/mesh_subdivision.h"
 #include "symmetry/surface/scale_normalization.h"
+#include "symmetry/surface/seam_welding.h"
 
 #include <algorithm>
 #include <iterator>
@@ -43,6 +45,27 @@ dropNonFinitePoints(PreparedSurface& surface)
   if (surface.summary.non_finite > 0) {
     keepPoints(surface, keep);
   }
+}
+
+/** Leaves what is one surface with every point and every triangle once. */
+void
+cleanMesh(PreparedSurface& surface)
+{
+  const auto drop_useless = [&surface] {
+    dropDegenerateTriangles(surface.triangles);
+    dropRepeatedTriangles(surface.size(), surface.triangles);
+  };
+  surface.summary.welded = mergeRepeatedPoints(surface);
+  heartbeat();
+  drop_useless();
+  std::vector<OpenSide> sides = openSides(surface.size(), surface.triangles);
+  if (const std::size_t welded = weldSeams(surface, sides); welded > 0) {
+    surface.summary.welded += welded;
+    drop_useless();
+    sides = openSides(surface.size(), surface.triangles);
+  }
+  surface.summary.junctions = closeJunctions(surface, sides);
+  dropUnusedPoints(surface);
 }
 
 /** Goes over from a mesh with normals to the cloud of its vertices. */
@@ -96,15 +119,15 @@ usablePoints(const Surface& surface,
     dropFarOutliers(prepared);
   }
   else {
-    mergeRepeatedPoints(prepared);
-    heartbeat();
-    dropDegenerateTriangles(prepared.triangles);
-    dropRepeatedTriangles(prepared.size(), prepared.triangles);
-    dropUnusedPoints(prepared);
+    cleanMesh(prepared);
   }
   heartbeat();
   normalizeScale(prepared);
   if (!prepared.is_cloud) {
+    if (parameters.components == ComponentUse::Largest) {
+      keepLargestComponent(prepared);
+      renormalizeScale(prepared);
+    }
     if (points > 0) {
       splitLongSides(prepared, points);
     }

@@ -2,6 +2,7 @@
 
 #include "base/coincident_points.h"
 #include "base/renumbering.h"
+#include "base/union_find.h"
 #include "base/vector_math.h"
 
 #include <algorithm>
@@ -11,20 +12,26 @@
 namespace pcl {
 namespace symmetry {
 
-void
-mergeRepeatedPoints(PreparedSurface& surface)
+std::size_t
+letStandForOthers(PreparedSurface& surface, const std::vector<Index>& first)
 {
-  const std::vector<Index> first = firstCoincident(surface.points);
   std::vector<char> keep(surface.size());
   for (std::size_t v = 0; v < keep.size(); ++v) {
     keep[v] = static_cast<char>(first[v] == static_cast<Index>(v));
   }
-  if (std::find(keep.begin(), keep.end(), 0) == keep.end()) {
-    return;
+  const auto others = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
+  if (others > 0) {
+    renumber(surface.representatives, first);
+    renumberTriangles(surface.triangles, first);
+    keepPoints(surface, keep);
   }
-  renumber(surface.representatives, first);
-  renumberTriangles(surface.triangles, first);
-  keepPoints(surface, keep);
+  return others;
+}
+
+std::size_t
+mergeRepeatedPoints(PreparedSurface& surface)
+{
+  return letStandForOthers(surface, firstCoincident(surface.points));
 }
 
 void
@@ -92,6 +99,31 @@ dropUnusedPoints(PreparedSurface& surface)
   const std::size_t before = countLeftOut(surface);
   keepPoints(surface, is_used);
   surface.summary.unused += countLeftOut(surface) - before;
+}
+
+void
+keepLargestComponent(PreparedSurface& surface)
+{
+  UnionFind components(surface.size());
+  for (const Triangle& t : surface.triangles) {
+    components.join(t[0], t[1]);
+    components.join(t[1], t[2]);
+  }
+  std::vector<double> areas(surface.size(), 0.0); // at the lowest point of each component
+  for (const Triangle& t : surface.triangles) {
+    const Vector3& a = surface.points[t[0]];
+    areas[components.find(t[0])] += norm(cross(surface.points[t[1]] - a, surface.points[t[2]] - a));
+  }
+  const auto largest = static_cast<Index>(std::max_element(areas.begin(), areas.end()) - areas.begin());
+  std::vector<char> keep(surface.size());
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    const Index component = components.find(static_cast<Index>(v));
+    keep[v] = static_cast<char>(component == largest);
+    surface.summary.components += component == static_cast<Index>(v) && component != largest ? 1U : 0U;
+  }
+  const std::size_t before = countLeftOut(surface);
+  keepPoints(surface, keep);
+  surface.summary.other_components += countLeftOut(surface) - before;
 }
 
 std::vector<Vector3>

@@ -22,7 +22,7 @@ constexpr float near_shortest = 1.5F; // length of a link over that of the short
 
 constexpr float all_there_is = 64.0F; // surfaces are at unit scale, parts farther away than a few units are dropped
 
-constexpr int most_links = 8; // to one point, from another part: the way there is known by few
+constexpr int links_per_point = 8; // to one point, from another part: the way there is known by few
 
 using PartPair = std::pair<Index, Index>;
 
@@ -208,7 +208,7 @@ private:
     spacings_[std::min(a, b)] = std::max(spacings_[a], spacings_[b]);
     std::map<Index, int> links_to;
     for (const GraphEdge& way : ways) {
-      if (way.length <= longest && ++links_to[way.b] <= most_links) {
+      if (way.length <= longest && ++links_to[way.b] <= links_per_point) {
         links_.push_back(way);
       }
     }

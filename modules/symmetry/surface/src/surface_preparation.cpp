@@ -75,13 +75,13 @@ spacingsOfParts(const PreparedSurface& surface, const Components& parts)
   return spacings;
 }
 
-/** Links the parts of each object, where there are several. */
+/** Links the parts of each object, where there are several and they are asked for. */
 void
-linkPartsOfObjects(PreparedSurface& surface, PartGaps gaps)
+linkPartsOfObjects(PreparedSurface& surface, ComponentUse use, PartGaps gaps)
 {
   const Components parts = connectedComponents(surface.graph);
   surface.summary.components += parts.sizes.size();
-  if (parts.sizes.size() < 2) {
+  if (parts.sizes.size() < 2 || use == ComponentUse::Largest) {
     return;
   }
   const LinkedParts linked = linkParts(surface.points, parts, spacingsOfParts(surface, parts), gaps);
@@ -139,9 +139,9 @@ numberParts(PreparedSurface& surface)
 
 /** Once there is a graph: links, leaves out and counts. */
 void
-finish(PreparedSurface& prepared, PartGaps gaps)
+finish(PreparedSurface& prepared, ComponentUse use, PartGaps gaps)
 {
-  linkPartsOfObjects(prepared, gaps);
+  linkPartsOfObjects(prepared, use, gaps);
   keepLargestObject(prepared);
   numberParts(prepared);
   prepared.summary.used = prepared.representatives.size() - countLeftOut(prepared);
@@ -161,7 +161,7 @@ prepareSurface(UsablePoints usable, const SymmetryParameters& parameters, const 
     prepared.graph = buildMeshGraph(prepared.points, prepared.triangles);
   }
   heartbeat();
-  finish(prepared, PartGaps::Narrow);
+  finish(prepared, parameters.components, PartGaps::Narrow);
   return prepared;
 }
 
@@ -174,7 +174,7 @@ prepareAsItStands(const Surface& cloud, const SymmetryParameters& parameters, co
     prepared.normals = estimateNormals(prepared.points, usable.neighbours, parameters.threads);
   }
   prepared.graph = buildNeighbourGraph(prepared.points, usable.neighbours, 0.0F);
-  finish(prepared, PartGaps::Any);
+  finish(prepared, parameters.components, PartGaps::Any);
   return prepared;
 }
 

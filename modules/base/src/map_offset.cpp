@@ -1,4 +1,6 @@
-#include "io/read/map_offset.h"
+#include "base/map_offset.h"
+
+#include "base/vector_math.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +11,6 @@ namespace symmetry {
 namespace {
 
 constexpr double float_step = double{std::numeric_limits<float>::epsilon()};
-
-bool
-isFinite(const Vector3& p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
 
 /** \brief Middle and spread of the bulk along one axis. */
 struct Bulk {

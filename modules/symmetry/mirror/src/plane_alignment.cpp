@@ -1,0 +1,155 @@
+#include "symmetry/mirror/plane_alignment.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+constexpr std::size_t sources = 500; // the first samples are spread over the whole surface
+
+/** One step of Gauss and Newton over gaps between images and what they are drawn onto. */
+class AlignmentStep {
+public:
+  AlignmentStep(const PlaneReflection& plane, float scale)
+      : plane_(plane),
+        scale_(scale),
+        normal_(toEigen(plane.normal)),
+        t1_(normal_.unitOrthogonal()),
+        t2_(normal_.cross(t1_))
+  {
+  }
+
+  /** \param[in] metric how much gaps count in each direction */
+  void
+  add(const Vector3& sample, float area, const Eigen::Vector3d& gap, const Eigen::Matrix3d& metric)
+  {
+    // The weights of the robust estimator of Geman and McClure.
+    const double size = gap.dot(metric * gap) / (double{scale_} * double{scale_});
+    const double weight = double{area} / ((1.0 + size) * (1.0 + size));
+    // How the image moves with the offset and with turns of the normal towards t1 and t2.
+    const Eigen::Vector3d p = toEigen(sample);
+    const double height = plane_.height(sample);
+    Eigen::Matrix3d motion;
+    motion.col(0) = 2.0 * normal_;
+    motion.col(1) = -2.0 * (t1_.dot(p) * normal_ + height * t1_);
+    motion.col(2) = -2.0 * (t2_.dot(p) * normal_ + height * t2_);
+    system_ += weight * motion.transpose() * metric * motion;
+    right_ -= weight * motion.transpose() * metric * gap;
+  }
+
+  PlaneReflection
+  moved() const
+  {
+    const Eigen::Vector3d change = system_.ldlt().solve(right_);
+    const Eigen::Vector3d turned = (normal_ + change[1] * t1_ + change[2] * t2_).normalized();
+    return {fromEigen(turned), static_cast<float>(plane_.offset + change[0])};
+  }
+
+private:
+  PlaneReflection plane_;
+  float scale_;
+  Eigen::Vector3d normal_;
+  Eigen::Vector3d t1_;
+  Eigen::Vector3d t2_;
+  Eigen::Matrix3d system_ = 1e-9 * Eigen::Matrix3d::Identity(); // regular also where hardly a gap counts
+  Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
+};
+
+/** Calls step (plane, scale) in rounds with falling scales. */
+template <typename Step>
+PlaneReflection
+inRounds(PlaneReflection plane, int rounds, const AlignmentSettings& settings, float diagonal, Step step)
+{
+  for (int round = 0; round < rounds; ++round) {
+    const float part = static_cast<float>(round) / static_cast<float>(std::max(1, rounds - 1));
+    plane = step(plane, diagonal * settings.first_scale * std::pow(settings.last_scale / settings.first_scale, part));
+  }
+  return plane;
+}
+
+} // namespace
+
+PointAlignment::PointAlignment(const AreaSamples& samples,
+                               const AlignmentTargets& targets,
+                               const AlignmentSettings& settings,
+                               float diagonal)
+    : samples_(samples),
+      targets_(targets),
+      settings_(settings),
+      diagonal_(diagonal),
+      grid_(targets.points, settings.reach * diagonal)
+{
+}
+
+PlaneReflection
+PointAlignment::run(PlaneReflection plane, int rounds) const
+{
+  return inRounds(plane, rounds, settings_, diagonal_, [this](const PlaneReflection& from, float scale) {
+    AlignmentStep step(from, scale);
+    for (std::size_t i = 0; i < std::min(sources, samples_.size()); ++i) {
+      const Vector3 image = from.image(samples_.points[i]);
+      const Index q = nearestTarget(image);
+      if (q == no_index) {
+        continue;
+      }
+      const Eigen::Vector3d facing = toEigen(targets_.normals[q]);
+      const Eigen::Matrix3d metric =
+          (1.0 - settings_.slide) * facing * facing.transpose() + settings_.slide * Eigen::Matrix3d::Identity();
+      step.add(samples_.points[i], samples_.areas[i], toEigen(image - targets_.points[q]), metric);
+    }
+    return step.moved();
+  });
+}
+
+Index
+PointAlignment::nearestTarget(const Vector3& place) const
+{
+  Index best = no_index;
+  float least = settings_.reach * diagonal_;
+  grid_.visitAround(place, [&](Index v) {
+    const float apart = distance(targets_.points[v], place);
+    if (apart < least) {
+      least = apart;
+      best = v;
+    }
+  });
+  return best;
+}
+
+SurfaceAlignment::SurfaceAlignment(const AreaSamples& samples,
+                                   const PreparedSurface& surface,
+                                   const AlignmentSettings& settings,
+                                   float diagonal)
+    : samples_(samples), surface_(surface, settings.reach * diagonal), settings_(settings), diagonal_(diagonal)
+{
+}
+
+PlaneReflection
+SurfaceAlignment::run(PlaneReflection plane, int rounds) const
+{
+  return inRounds(plane, rounds, settings_, diagonal_, [this](const PlaneReflection& from, float scale) {
+    AlignmentStep step(from, scale);
+    for (std::size_t i = 0; i < std::min(sources, samples_.size()); ++i) {
+      const Vector3 image = from.image(samples_.points[i]);
+      const std::optional<SurfaceDistance::Nearest> near = surface_.nearest(image);
+      if (!near) {
+        continue;
+      }
+      // Along the gap alone, where there is one: across its border a sheet pulls in its own plane.
+      constexpr float rounding = 1e-6F; // surfaces are at unit scale
+      const Vector3 way =
+          near->distance > rounding ? normalized(image - near->place) : from.turned(samples_.normals[i]);
+      const Eigen::Vector3d facing = toEigen(way);
+      step.add(samples_.points[i], samples_.areas[i], toEigen(image - near->place), facing * facing.transpose());
+    }
+    return step.moved();
+  });
+}
+
+} // namespace symmetry
+} // namespace pcl
