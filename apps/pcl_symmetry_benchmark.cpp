@@ -5,6 +5,7 @@
 #include "benchmark/evidence.h"
 #include "benchmark/graph_accuracy.h"
 #include "benchmark/map_file.h"
+#include "benchmark/paper_report.h"
 #include "benchmark/report_files.h"
 #include "benchmark/report_table.h"
 #include "benchmark/run.h"
@@ -46,6 +47,7 @@ struct Options {
   std::string csv;
   std::string json;
   std::string plot;
+  std::string paper;
   bool verbose = false;
 
   std::string scored_map; ///< not empty: score this map of score_mesh instead of running anything
@@ -124,6 +126,8 @@ describeOptions(Options& options)
   output.file("vertex-evidence", options.vertex_evidence,
               "with --evidence: the same for every scored vertex, into another .csv file");
   output.file("plot", options.plot, "draw the geodesic error curves into this .svg file");
+  output.folder("paper", options.paper,
+                "run both methods and write tables and figures beside the published ones into this folder: paper.md");
   output.folder("map-dir", options.map_folder, "write each map as SET_MODEL.csv into this folder");
   output.flag("verbose", options.verbose, "seconds per step and properties of the map for each model");
 
@@ -169,6 +173,22 @@ checkCombination(const Options& options)
     throw UsageError("--vary goes with neither --graph nor --cut-limb");
 }
 
+void
+checkPaperCombination(const Options& options)
+{
+  if (options.paper.empty())
+    return;
+  const std::vector<std::string> files = options.outputs();
+  if (!options.map_folder.empty() || std::any_of(files.begin(), files.end(), [](const auto& f) { return !f.empty(); }))
+    throw UsageError("--paper writes nothing else: it goes with no other output");
+  if (options.run.parameters.method != Method::Robust)
+    throw UsageError("--paper runs both methods: it does not go with --method");
+  if (!options.scored_map.empty() || options.graph || options.run.as_cloud || options.run.cut_limb ||
+      options.variants > 0 || !options.run.disturbance.changesNothing())
+    throw UsageError("--paper is of the models as they are: it goes with none of --score, --graph, --as-cloud, "
+                     "--cut-limb, --vary and the disturbances");
+}
+
 /** \brief What follows from several options, or from the words beside them. */
 void
 completeOptions(Options& options, const CommandLine& line)
@@ -181,6 +201,7 @@ completeOptions(Options& options, const CommandLine& line)
   checkParameterOptions(options.run.parameters);
   checkUsage<pcl::BadArgumentException>([&options] { checkDisturbance(options.run.disturbance); });
   checkCombination(options);
+  checkPaperCombination(options);
 }
 
 bool
@@ -261,6 +282,37 @@ runEvidence(const Options& options)
 }
 
 int
+runPaper(Options& options)
+{
+  const std::vector<BenchmarkModel> models = selectModels(options);
+  std::filesystem::create_directories(options.paper);
+  const std::string page = (std::filesystem::path(options.paper) / paper_page).string();
+  checkWritableFiles({page});
+  const auto run_with = [&](Method method) {
+    options.run.parameters.method = method;
+    std::cout << nameOf(method_names, method) << '\n';
+    printModelHeader(std::cout);
+    return runModels(models, options.run, options.jobs, [&options](const ModelRun& run) {
+      printModel(std::cout, run, options.verbose);
+      std::cout.flush();
+    });
+  };
+  PaperRuns runs;
+  runs.staged = run_with(Method::Staged);
+  std::cout << '\n';
+  runs.robust = run_with(Method::Robust);
+  writePaper(options.paper, runs, options.run);
+  std::cout << "\ntables and figures in " << page << '\n';
+  const auto failed = [](const ModelRun& run) {
+    return !run.failure.empty();
+  };
+  return std::any_of(runs.staged.begin(), runs.staged.end(), failed) ||
+                 std::any_of(runs.robust.begin(), runs.robust.end(), failed)
+             ? exit_failed
+             : exit_done;
+}
+
+int
 runGraphs(const Options& options)
 {
   const std::vector<GraphRun> runs = compareGraphs(selectModels(options), options.run, options.jobs);
@@ -330,6 +382,8 @@ runWith(Options& options, const CommandLine& line)
     return scoreExistingMap(options);
   if (!options.evidence.empty())
     return runEvidence(options);
+  if (!options.paper.empty())
+    return runPaper(options);
   return options.graph ? runGraphs(options) : runDataSets(options);
 }
 

@@ -22,6 +22,13 @@ struct Disturbance {
   double thin = 1.0;       ///< density at one end over that at the other, points drop out in between, [1, 1000]
   double quantise = 0.0;   ///< coordinates are rounded to multiples of this share of the diagonal, [0, 1]
   double repeat = 0.0;     ///< points that are there twice, share of those left, [0, 1]
+
+  /** \brief Whether any surface is left as it is. */
+  bool
+  changesNothing() const
+  {
+    return !(noise > 0.0 || drop > 0.0 || outliers > 0.0 || holes > 0 || thin > 1.0 || quantise > 0.0 || repeat > 0.0);
+  }
 };
 
 /** \brief Throws unless all shares are in their range.

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <sstream>
 
 namespace pcl {
@@ -114,6 +116,64 @@ TEST_F(BenchmarkProgramTest, RunsADataSetAndWritesAllFiles)
                                          "--truth", folder + "/MADE/sym.txt", "--json", path("again.json")});
   ASSERT_EQ(again.exit_status, 0) << again.errors;
   EXPECT_EQ(nlohmann::json::parse(read(path("again.json")))["correspondence_rate"], rate);
+}
+
+TEST_F(BenchmarkProgramTest, WritesThePublishedFiguresBesideThoseOfBothMethods)
+{
+  const std::string folder = writeHuman();
+  const ProgramRun run = runBenchmark({folder, "--paper", path("out/paper")});
+  ASSERT_EQ(run.exit_status, 0) << run.errors;
+  const std::string page = read(path("out/paper/paper.md"));
+  std::string row = "\n| MADE (1) | ";
+  for (const std::string method : {"staged", "robust"}) {
+    EXPECT_EQ(runBenchmark({folder, "--method", method, "--json", path("out.json")}).exit_status, 0);
+    const nlohmann::json report = nlohmann::json::parse(read(path("out.json")));
+    std::array<char, 32> rate{};
+    std::snprintf(rate.data(), rate.size(), " | %.1f/100",
+                  100.0 * report["models"][0]["correspondence_rate"].get<double>());
+    row += rate.data();
+  }
+  EXPECT_NE(page.find(row + " |  |  |\n"), std::string::npos) << row << '\n' << page;
+  EXPECT_NE(page.find("\n| wolf | 97/100 |  |  | 100/100 | 100/100 |\n"), std::string::npos) << page;
+  EXPECT_NE(page.find("(error_curves.svg)"), std::string::npos);
+  EXPECT_NE(read(path("out/paper/error_curves.svg")).find(">MADE, staged</text>"), std::string::npos);
+  for (const std::string name : {"MADE_human_staged", "MADE_human_robust"})
+    for (const std::string kind : {".png", "_colours.png"}) {
+      EXPECT_NE(page.find("](" + name + kind + ")"), std::string::npos) << name << kind;
+      EXPECT_EQ(read(path("out/paper/" + name + kind)).substr(1, 3), "PNG");
+    }
+}
+
+TEST_F(BenchmarkProgramTest, ThePaperCountsWhatFailsAndEndsWithOne)
+{
+  write("sets/MADE/broken.off", "OFF\n3 1 0\n0 0 0\n");
+  const ProgramRun run = runBenchmark({writeHuman(), "--paper", path("paper")});
+  EXPECT_EQ(run.exit_status, 1);
+  const std::string page = read(path("paper/paper.md"));
+  EXPECT_NE(page.find(" | 50.0/50 |  |  |\n"), std::string::npos) << page;
+  EXPECT_NE(page.find("- MADE/broken, robust, failed: "), std::string::npos) << page;
+  EXPECT_NE(page.find("(MADE_human_robust.png)"), std::string::npos) << "the first that did not fail";
+}
+
+TEST_F(BenchmarkProgramTest, ThePaperGoesWithWholeMeshesAndNoOtherOutput)
+{
+  const std::string folder = path("");
+  for (const Arguments& other : std::vector<Arguments>{{"--csv", path("a.csv")},
+                                                       {"--plot", path("a.svg")},
+                                                       {"--map-dir", path("maps")},
+                                                       {"--evidence", path("e.csv")},
+                                                       {"--method", "staged"},
+                                                       {"--as-cloud"},
+                                                       {"--graph"},
+                                                       {"--vary", "1"},
+                                                       {"--noise", "0.01"},
+                                                       {"--holes", "1"},
+                                                       {"--thin", "2"},
+                                                       {"--cut-limb", "other"}}) {
+    Arguments arguments = {folder, "--paper", path("paper")};
+    arguments.insert(arguments.end(), other.begin(), other.end());
+    EXPECT_EQ(runBenchmark(arguments).exit_status, 2) << other.front();
+  }
 }
 
 TEST_F(BenchmarkProgramTest, ComparesGraphs)
