@@ -80,8 +80,7 @@ describeOptions(Options& options)
 
   OptionGroup method("Method");
   method.choice("method", parameters.method, method_names, "robust, or staged: the published method step by step");
-  method.choice("metric", parameters.metric, metric_names,
-                "geodesic, or euclidean: faster, right only in a symmetric pose");
+  method.choice("metric", parameters.metric, metric_names, "geodesic, or euclidean: right only in a symmetric pose");
   method.choice("components", parameters.components, component_use_names,
                 "all parts of one object, or largest: one connected component");
   method.flag("require-whole", options.require_whole,
@@ -130,6 +129,8 @@ void
 checkOptions(const Options& options)
 {
   checkParameterOptions(options.parameters);
+  if (options.parameters.sparse_only && !options.outputs.map.empty())
+    throw UsageError("--map is the dense map, which --sparse leaves out");
   checkEnding("output", options.outputs.labelled, {".ply", ".pcd"});
   checkEnding("axis", options.outputs.axis, {".ply", ".pcd", ".csv"});
   checkEnding("picture", options.outputs.picture, {".png"});

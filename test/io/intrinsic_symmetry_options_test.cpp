@@ -102,6 +102,7 @@ TEST_F(IntrinsicSymmetryOptions, WrongUsageIsRefusedBeforeAnythingIsWritten)
                                                        {"--normals", "none"},
                                                        {"--components", "2"},
                                                        {"--pairing", "both"},
+                                                       {"--sparse", "--map", folder_.file("map.csv")},
                                                        {"--extremities", "5"},
                                                        {"--alternatives", "0"},
                                                        {"--samples", "3"},

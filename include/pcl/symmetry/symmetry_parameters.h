@@ -15,7 +15,7 @@ enum class Method {
 /** \brief What is used as the distance of two points of the surface. */
 enum class Metric {
   Geodesic, ///< shortest path along the surface: the result does not depend on the pose
-  Euclidean ///< straight line: faster, right only where left and right are posed alike
+  Euclidean ///< straight line: right only where left and right are posed alike
 };
 
 /** \brief Which feature groups the four extreme points of the staged method into two pairs (paper, section 3.1). */

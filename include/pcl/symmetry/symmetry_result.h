@@ -42,7 +42,7 @@ struct SymmetricMatch {
   Index target = no_index;
   Index midpoint = no_index; ///< the point half way on the geodesic from source to target, on the axis or near it
   /** How badly the two match, 0 is best, no unit. Staged method: dissimilarity of their feature vectors; robust: change
-   * of their distance when each is mapped, as a share of the diameter. */
+   * of their distance when each is mapped, as a share of the diameter: |d(s, t) - d(t, m(t))|. */
   float cost = 0.0F;
 };
 
@@ -146,7 +146,7 @@ struct SymmetryResult {
   std::string message;     ///< for a person: why the status is not Symmetric, or what was noticed
   float confidence = 0.0F; ///< of the whole map, in [0, 1]; below two thirds a cloud may well have no symmetry
 
-  std::vector<SymmetricMatch> matches; ///< sparse correspondences, spread over the source side
+  std::vector<SymmetricMatch> matches; ///< sparse correspondences, spread over limbs and centre of the source side
   std::vector<Index> partners;         ///< dense map
   /** Per point, in [0, 1]: the probability that its partner is within 5 % of the diameter of the true one, as far as the
    * robust method can tell; of the staged method and of a mirror plane a measure of fit. 0 without a partner. */

@@ -8,6 +8,7 @@
 #include "symmetry/sides/side_growth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -47,30 +48,53 @@ pointSides(const SampledSurface& sampled, const SampleEstimate& samples, const s
   return growSides(sampled.surface.graph, partners, ways, sides);
 }
 
-/** One match for every landmark on the source side that moves, with the landmark nearest to the middle of the way. */
-std::vector<SymmetricMatch>
-sparseMatches(const SampledSurface& sampled, const SampleEstimate& samples, const std::vector<float>& sides)
+/** Landmarks on the source side that move, at most so many, of limbs and centre in turn: limbs are small, and evenly
+ * spaced landmarks would mostly lie on the trunk. In the landmarks' own order, those of each region evenly spaced. */
+std::vector<Index>
+matchedLandmarks(const SampledSurface& sampled, const SampleMap& map, const MapEstimate& estimate)
 {
   constexpr std::size_t maximum_matches = 100; // as the last stage of the staged method has
   constexpr float minimum_distance = 0.05F;    // of the diameter: what moves less lies at the axis
-  const SampleMap& map = samples.map;
   const LandmarkSurface& landmarks = sampled.landmarks;
-  std::vector<SymmetricMatch> matches;
-  for (std::size_t i = 0; i < landmarks.size() && matches.size() < maximum_matches; ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const Index partner = sampled.landmarks.nearest_landmark[map[i]];
+  std::array<std::vector<Index>, 3> in_region; // of the two limbs and the rest
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
     const Index point = sampled.coarse.cells.vertices[i];
-    const float apart = landmarks.distances(row, partner);
-    if (apart < minimum_distance * landmarks.diameter || sides[point] <= 0.0F) {
-      continue;
+    const float apart = landmarks.distances(static_cast<Eigen::Index>(i), landmarks.nearest_landmark[map[i]]);
+    if (apart >= minimum_distance * landmarks.diameter && estimate.side_function[point] > 0.0F) {
+      const Region region = estimate.regions[point];
+      in_region[region == Region::Source1 ? 0 : region == Region::Source2 ? 1 : 2].push_back(static_cast<Index>(i));
     }
+  }
+  const std::size_t longest = std::max({in_region[0].size(), in_region[1].size(), in_region[2].size()});
+  std::vector<Index> taken;
+  for (std::size_t k = 0; k < longest; ++k) {
+    for (const std::vector<Index>& of_region : in_region) {
+      if (k < of_region.size() && taken.size() < maximum_matches) {
+        taken.push_back(of_region[k]);
+      }
+    }
+  }
+  std::sort(taken.begin(), taken.end());
+  return taken;
+}
+
+/** One match for each of these landmarks, with the landmark nearest to the middle of the way. */
+std::vector<SymmetricMatch>
+sparseMatches(const SampledSurface& sampled, const SampleEstimate& samples, const MapEstimate& estimate)
+{
+  const LandmarkSurface& landmarks = sampled.landmarks;
+  const auto partner_of = [&](Index landmark) {
+    return landmarks.nearest_landmark[samples.map[landmark]];
+  };
+  std::vector<SymmetricMatch> matches;
+  for (const Index source : matchedLandmarks(sampled, samples.map, estimate)) {
+    const Index target = partner_of(source);
     Eigen::Index middle = 0;
-    (landmarks.distances.col(row).cwiseMax(landmarks.distances.col(partner))).minCoeff(&middle);
-    const float change = (landmarks.distances(partner, row) -
-                          landmarks.distances(row, sampled.landmarks.nearest_landmark[map[partner]])) /
-                         landmarks.diameter;
-    matches.push_back({point, samples.partners[i], sampled.coarse.cells.vertices[static_cast<std::size_t>(middle)],
-                       std::abs(change)});
+    (landmarks.distances.col(source).cwiseMax(landmarks.distances.col(target))).minCoeff(&middle);
+    const float change =
+        (landmarks.distances(source, target) - landmarks.distances(target, partner_of(target))) / landmarks.diameter;
+    matches.push_back({sampled.coarse.cells.vertices[source], samples.partners[source],
+                       sampled.coarse.cells.vertices[static_cast<std::size_t>(middle)], std::abs(change)});
   }
   return matches;
 }
@@ -111,9 +135,9 @@ deliverMap(const SampledSurface& sampled, const SampleEstimate& samples, MapEsti
 {
   estimate.partners = partnersOfPoints(sampled, samples.partners);
   estimate.side_function = pointSides(sampled, samples, estimate.partners);
-  estimate.matches = sparseMatches(sampled, samples, estimate.side_function);
   estimate.confidences = pointConfidences(sampled, estimate.landmark_evidence, estimate.confidence);
   describeLimbs(sampled, samples.landmark_map, estimate);
+  estimate.matches = sparseMatches(sampled, samples, estimate);
 }
 
 void
@@ -130,8 +154,8 @@ describeMap(const SampledSurface& sampled, MapEstimate& estimate)
   for (std::size_t i = 0; i < sampled.landmarks.size(); ++i) {
     samples.landmark_map.push_back(sampled.landmarks.nearest_landmark[samples.map[i]]);
   }
-  estimate.matches = sparseMatches(sampled, samples, estimate.side_function);
   describeLimbs(sampled, samples.landmark_map, estimate);
+  estimate.matches = sparseMatches(sampled, samples, estimate);
 }
 
 void
