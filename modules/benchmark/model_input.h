@@ -16,9 +16,16 @@ struct ModelInput {
   GroundTruth asked; ///< what is scored; empty without ground truth; after a limb was cut off the pairs that are left
 };
 
-/** \brief Per vertex of the file: whether it is left while its true partner is cut off. */
-std::vector<bool>
-oddVertices(const BenchmarkModel& model, const ModelInput& input);
+/** \brief What is known of a vertex of the file. */
+enum class VertexTruth : char {
+  Unknown, ///< it is not left, or its partner is not known
+  Paired,  ///< its true partner is left as well
+  Odd      ///< its true partner is cut off
+};
+
+/** \brief The same of all vertices. */
+std::vector<VertexTruth>
+vertexTruths(const BenchmarkModel& model, const ModelInput& input);
 
 /** \brief Takes what was estimated per point of the input, a map, back to the points of the file. */
 std::vector<Index>

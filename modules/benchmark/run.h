@@ -33,7 +33,7 @@ struct RunOptions {
 /** \brief How well the part without a counterpart was told, after a limb was cut off. */
 struct OddPartAccuracy {
   double true_share = 0.0;  ///< of the area that is left: what has its true partner cut off
-  double found_share = 0.0; ///< of it: what has no partner in the map
+  double found_share = 0.0; ///< of the reported parts without a counterpart whose extreme point is among that
   double rest_rate = 0.0;   ///< Correspondence Rate of the pairs that are left
 };
 
@@ -55,7 +55,8 @@ struct ModelRun {
   std::optional<MapAccuracy> score; ///< of the map as delivered, whatever the status; nothing without ground
                                     ///< truth or after a limb was cut off
 
-  std::optional<OddPartAccuracy> odd_part; ///< of a map, after a limb was cut off
+  std::vector<UnsupportedPart> unsupported; ///< as in the result: extreme points are those of the input
+  std::optional<OddPartAccuracy> odd_part;  ///< of a map, after a limb was cut off
 
   /** \brief Correspondence Rate; 0 after a failure or without ground truth. */
   double

@@ -66,15 +66,16 @@ disturbModel(const Surface& mesh, const GroundTruth& truth, const RunOptions& op
 
 } // namespace
 
-std::vector<bool>
-oddVertices(const BenchmarkModel& model, const ModelInput& input)
+std::vector<VertexTruth>
+vertexTruths(const BenchmarkModel& model, const ModelInput& input)
 {
   const std::vector<bool> is_present = presentVertices(input.input.origins, input.mesh.size());
-  std::vector<bool> is_odd(input.mesh.size(), false);
+  std::vector<VertexTruth> truths(input.mesh.size(), VertexTruth::Unknown);
   for (const TruePartner& p : readGroundTruth(model.truth))
-    is_odd[static_cast<std::size_t>(p.vertex)] =
-        is_present[static_cast<std::size_t>(p.vertex)] && !is_present[static_cast<std::size_t>(p.partner)];
-  return is_odd;
+    if (is_present[static_cast<std::size_t>(p.vertex)])
+      truths[static_cast<std::size_t>(p.vertex)] =
+          is_present[static_cast<std::size_t>(p.partner)] ? VertexTruth::Paired : VertexTruth::Odd;
+  return truths;
 }
 
 std::vector<Index>

@@ -130,7 +130,11 @@ printModel(std::ostream& out, const ModelRun& run, bool verbose)
         << right(std::to_string(run.score->matched) + "/" + std::to_string(run.score->errors.size()), 11);
   else
     out << right("-", 8) << right("-", 8) << right("-", 11);
-  out << number(run.confidence, 8, 3) << number(run.totalSeconds(), 9, 3) << "  " << toString(run.status) << '\n';
+  out << number(run.confidence, 8, 3) << number(run.totalSeconds(), 9, 3) << "  " << toString(run.status);
+  if (run.odd_part)
+    out << ", without partner" << percent(run.odd_part->found_share, 5) << " % of the area, odd"
+        << percent(run.odd_part->true_share, 5) << " %, rest right" << percent(run.odd_part->rest_rate, 6) << " %";
+  out << '\n';
   if (verbose)
     printSteps(out, run);
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -25,6 +26,7 @@ takeResult(ModelRun& run, SymmetryResult result, const ModelInput& model)
   run.message = std::move(result.message);
   run.confidence = result.confidence;
   run.map = result.map;
+  run.unsupported = std::move(result.unsupported);
   run.seconds = std::move(result.seconds);
   run.partners = mapOfFile(model, result.partners);
   run.confidences.assign(run.points, 0.0F);
@@ -33,22 +35,19 @@ takeResult(ModelRun& run, SymmetryResult result, const ModelInput& model)
       run.confidences[static_cast<std::size_t>(origins[i])] = result.confidences[i];
 }
 
-/** Shares of the area of the faces that are left, a third of it for each of their corners. */
-OddPartAccuracy
-scoreOddPart(const ModelRun& run, const ModelInput& model, const RunOptions& options)
+/** Share of the area that is left around the vertices of known truth whose partner is cut off; a third of every face
+ * counts for each of its corners. A cloud has no faces: there every point counts alike. */
+double
+oddShare(const ModelInput& model, const std::vector<VertexTruth>& truth)
 {
-  const std::vector<bool> is_odd = oddVertices(run.model, model);
   const Surface& left = model.input.surface;
-  double all = 0.0;
-  OddPartAccuracy accuracy;
-  // A cloud has no faces: there every point counts alike.
+  double known = 0.0;
+  double odd = 0.0;
   const auto add = [&](Index v, double area) {
     const Index origin = model.input.origins[static_cast<std::size_t>(v)];
-    if (origin == no_index)
-      return;
-    all += area;
-    accuracy.true_share += is_odd[static_cast<std::size_t>(origin)] ? area : 0.0;
-    accuracy.found_share += run.partners[static_cast<std::size_t>(origin)] == no_index ? area : 0.0;
+    const VertexTruth of_vertex = origin == no_index ? VertexTruth::Unknown : truth[static_cast<std::size_t>(origin)];
+    known += of_vertex == VertexTruth::Unknown ? 0.0 : area;
+    odd += of_vertex == VertexTruth::Odd ? area : 0.0;
   };
   for (const Triangle& t : left.triangles) {
     const Vector3& a = left.points[static_cast<std::size_t>(t[0])];
@@ -59,8 +58,35 @@ scoreOddPart(const ModelRun& run, const ModelInput& model, const RunOptions& opt
   }
   for (std::size_t v = 0; left.triangles.empty() && v < left.size(); ++v)
     add(static_cast<Index>(v), 1.0);
-  accuracy.true_share /= std::max(all, 1e-30);
-  accuracy.found_share /= std::max(all, 1e-30);
+  return known > 0.0 ? odd / known : 0.0;
+}
+
+/** What is known of the vertex nearest to a point of the input of which something is. */
+VertexTruth
+truthNear(const ModelInput& model, const std::vector<VertexTruth>& truth, Index point)
+{
+  const Vector3& place = model.input.surface.points[static_cast<std::size_t>(point)];
+  VertexTruth nearest = VertexTruth::Unknown;
+  float least = std::numeric_limits<float>::infinity();
+  for (std::size_t v = 0; v < truth.size(); ++v) {
+    const float apart = distance(place, model.mesh.points[v]);
+    if (truth[v] != VertexTruth::Unknown && apart < least) {
+      least = apart;
+      nearest = truth[v];
+    }
+  }
+  return nearest;
+}
+
+OddPartAccuracy
+scoreOddPart(const ModelRun& run, const ModelInput& model, const RunOptions& options)
+{
+  const std::vector<VertexTruth> truth = vertexTruths(run.model, model);
+  OddPartAccuracy accuracy;
+  accuracy.true_share = oddShare(model, truth);
+  for (const UnsupportedPart& part : run.unsupported)
+    if (truthNear(model, truth, part.extreme) == VertexTruth::Odd)
+      accuracy.found_share += static_cast<double>(part.share);
   accuracy.rest_rate = scoreMap(model.mesh, model.asked, run.partners, options.parameters.threads).correspondenceRate();
   return accuracy;
 }
