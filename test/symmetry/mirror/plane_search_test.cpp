@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
@@ -44,6 +45,21 @@ splitOften(Surface mesh)
     mesh = finer(mesh);
   }
   return mesh;
+}
+
+TEST(FindMirrorPlanes, FindsNoneWhereFacesFillSpace)
+{
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<float> place(0.0F, 1.0F);
+  std::uniform_int_distribution<Index> vertex(0, 399);
+  Surface faces;
+  for (int v = 0; v < 400; ++v) {
+    faces.points.push_back({place(random), place(random), place(random)});
+  }
+  for (int t = 0; t < 1600; ++t) {
+    faces.triangles.push_back({vertex(random), vertex(random), vertex(random)});
+  }
+  EXPECT_TRUE(planesOf(faces).empty()) << "every image of every point lies near some face";
 }
 
 TEST(FindMirrorPlanes, FindsThePlaneOfABodyAtRestInAnyPosition)

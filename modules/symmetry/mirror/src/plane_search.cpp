@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t grid_cells = 48;  // a cube is about as wide as samples are apart
 constexpr std::size_t first_look = 200; // samples: a share is known to 3 %
+constexpr float too_full = 0.5F; // share that lies on the surface by chance: nothing can be told any more
 constexpr double pi = 3.14159265358979323846;
 
 /** Centroid and axes of inertia of samples that stand for their areas. */
@@ -153,6 +154,26 @@ measureFit(const PlaneReflection& plane,
   return fit;
 }
 
+/** Share of the samples that still lie on the surface when they are moved off it, along their normals: next to nothing of an
+ * object, nearly all where faces fill space, so that any plane seems to fit. The least of several ways, since one may be
+ * the thickness of a wall. */
+float
+shareByChance(const AreaSamples& samples, const SurfaceDistance& distance_from, float tolerance)
+{
+  float least = 1.0F;
+  for (const float way : {3.0F, 5.0F, 8.0F, -3.0F, -5.0F, -8.0F}) {
+    float on_surface = 0.0F;
+    float area = 0.0F;
+    for (std::size_t i = 0; i < std::min(first_look, samples.size()); ++i) {
+      const Vector3 place = samples.points[i] + (way * tolerance) * samples.normals[i];
+      area += samples.areas[i];
+      on_surface += distance_from.at(place) <= tolerance ? samples.areas[i] : 0.0F;
+    }
+    least = std::min(least, on_surface / std::max(area, 1e-12F));
+  }
+  return least;
+}
+
 } // namespace
 
 std::vector<MirrorFit>
@@ -169,11 +190,21 @@ findMirrorPlanes(const AreaSamples& samples, const PreparedSurface& surface, con
   const PointAlignment alignment(samples, {samples.points, samples.normals}, onto_samples, diagonal);
   const PointAlignment polish(samples, {surface.points, surface.normals}, onto_points, diagonal);
   std::optional<SurfaceAlignment> fitting; // made where there is need
+  std::optional<float> chance;             // known where there is need
   std::vector<MirrorFit> fits;
   for (const PlaneReflection& plane : chosen) {
     MirrorFit fit = look(alignment.run(plane, settings.rounds), first_look);
     if (fit.share < settings.promising_share) {
       continue; // as nearly all are, for a small part of the cost
+    }
+    if (!chance) {
+      chance = shareByChance(samples, distance_from, tolerance);
+    }
+    if (*chance > too_full) {
+      return {};
+    }
+    if (fit.share - *chance < settings.promising_share * (1.0F - *chance)) {
+      continue; // agreement beyond chance is what counts (J. Cohen's kappa, 1960 \cite cohen1960agreement)
     }
     const MirrorFit polished = look(polish.run(fit.plane, settings.rounds), first_look);
     fit = look(polished.residual < fit.residual ? polished.plane : fit.plane, samples.size());
@@ -184,7 +215,8 @@ findMirrorPlanes(const AreaSamples& samples, const PreparedSurface& surface, con
       const MirrorFit fitted = look(fitting->run(fit.plane, settings.rounds), samples.size());
       fit = fitted.residual < fit.residual ? fitted : fit;
     }
-    if (fit.share >= settings.least_share && fit.displacement >= settings.least_displacement * diagonal &&
+    if (fit.share - *chance >= settings.least_share * (1.0F - *chance) &&
+        fit.displacement >= settings.least_displacement * diagonal &&
         std::all_of(fits.begin(), fits.end(),
                     [&](const MirrorFit& other) { return areDistinct(fit.plane, other.plane, settings.distinct); })) {
       fits.push_back(fit);

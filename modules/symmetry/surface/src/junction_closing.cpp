@@ -60,7 +60,12 @@ public:
     }
     constexpr float finest = 1.0F / 128.0F; // a long side crosses no more cubes than that squared
     std::nth_element(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2), lengths.end());
-    const PointGrid grid(places, std::max(finest, lengths[lengths.size() / 2]));
+    const float cell = std::max(finest, lengths[lengths.size() / 2]);
+    const PointGrid grid(places, cell);
+    // Around a side of a mesh with seams there are few open corners. Where there are many around all of them the faces are a
+    // tangle, in which ends touch sides by accident.
+    constexpr std::size_t tangle = 256; // cubes and corners looked at, per side
+    std::size_t effort = 0;
     std::map<std::pair<Index, std::size_t>, std::vector<Junction>> found;
     for (const OpenSide& side : sides) {
       std::vector<Junction> on_side;
@@ -71,8 +76,14 @@ public:
       box.extend(b);
       const auto rim = static_cast<float>(rounding_share) * distance(a, b);
       const Vector3 wider{rim, rim, rim};
-      grid.visitBox(box.low - wider, box.high + wider,
-                    [&](Index i) { addIfOn(side, static_cast<std::size_t>(i), on_side); });
+      effort += cubesOf(box, cell);
+      if (effort > tangle * sides.size() + corners_.size()) {
+        return {};
+      }
+      grid.visitBox(box.low - wider, box.high + wider, [&](Index i) {
+        ++effort;
+        addIfOn(side, static_cast<std::size_t>(i), on_side);
+      });
       if (!on_side.empty()) {
         const Triangle& t = surface_.triangles[side.triangle];
         const std::size_t k = t[0] == side.a ? 0 : t[1] == side.a ? 1 : 2;
@@ -83,6 +94,17 @@ public:
   }
 
 private:
+  /** How many cubes of a grid a box reaches into, about. */
+  static std::size_t
+  cubesOf(const BoundingBox& box, float cell)
+  {
+    std::size_t cubes = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      cubes *= static_cast<std::size_t>((box.high[k] - box.low[k]) / cell) + 1;
+    }
+    return cubes;
+  }
+
   Vector3
   atUnitScale(const Vector3& p) const
   {
