@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t grid_cells = 48;  // a cube is about as wide as samples are apart
 constexpr std::size_t first_look = 200; // samples: a share is known to 3 %
-constexpr float too_full = 0.5F; // share that lies on the surface by chance: nothing can be told any more
+constexpr float too_full = 0.5F;        // share that lies on the surface by chance: nothing can be told any more
 constexpr double pi = 3.14159265358979323846;
 
 /** Centroid and axes of inertia of samples that stand for their areas. */
