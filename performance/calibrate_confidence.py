@@ -55,6 +55,27 @@ def fit(x, right, weight):
     return minimize(loss, np.zeros(x.shape[1]), jac=True, method="L-BFGS-B", bounds=bounds).x
 
 
+def fit_leaving_out(named, right, weight, sets):
+    """Confidences by fits to all sets but the one they are of; the weights of a fit to all, by name, in plain units."""
+    x = np.stack(list(named.values()), axis=1)
+    mean, deviation = x.mean(axis=0), x.std(axis=0) + 1e-9
+    x = (x - mean) / deviation
+    left_out = np.zeros(len(x))
+    for name in sorted(set(sets)):
+        others = sets != name
+        b = fit(x[others], right[others], weight[others])
+        left_out[~others] = 1 / (1 + np.exp(-(b[0] + x[~others] @ b[1:])))
+    b = fit(x, right, weight)
+    weights = {"bias": b[0] - (b[1:] * mean / deviation).sum(), **dict(zip(named, b[1:] / deviation))}
+    return left_out, weights
+
+
+def print_weights(weights):
+    print("\nfit to all")
+    for name, value in weights.items():
+        print(f"{name:18}{value:8.3f}")
+
+
 def area_under_roc(score, right):
     if right.all() or not right.any():
         return float("nan")
@@ -96,15 +117,7 @@ def main():
     weight = np.array([1 / ways[row["table"], row["set"], row["model"]] for row in rows])
 
     named = features(lambda name: np.array([float(row[name]) for row in rows]))
-    x = np.stack(list(named.values()), axis=1)
-    mean, deviation = x.mean(axis=0), x.std(axis=0) + 1e-9
-    x = (x - mean) / deviation
-
-    left_out = np.zeros(len(rows))
-    for name in sorted(set(sets)):
-        others = sets != name
-        b = fit(x[others], right[others], weight[others])
-        left_out[~others] = 1 / (1 + np.exp(-(b[0] + x[~others] @ b[1:])))
+    left_out, weights = fit_leaving_out(named, right, weight, sets)
 
     print("set left out            maps    area  right refused %  wrong > 0.5 %  cut > 0.5 %")
     for name in sorted(set(sets)):
@@ -113,10 +126,7 @@ def main():
     judge("all, present weights", present, right, cut)
     print_reliability(left_out, right)
 
-    b = fit(x, right, weight)
-    print(f"\nfit to all\n{'bias':18}{b[0] - (b[1:] * mean / deviation).sum():8.2f}")
-    for name, value in zip(named, b[1:] / deviation):
-        print(f"{name:18}{value:8.2f}")
+    print_weights(weights)
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ import sys
 
 import numpy as np
 
-from calibrate_confidence import area_under_roc, fit, print_reliability
+from calibrate_confidence import area_under_roc, fit_leaving_out, print_reliability, print_weights
 
 RIGHT = 0.05
 
@@ -38,26 +38,14 @@ def main():
         "fit_distance": -np.log(column("fit_distance") + 1e-3),
         "reversal": column("reversal"),
     }
-    x = np.stack(list(named.values()), axis=1)
-    mean, deviation = x.mean(axis=0), x.std(axis=0) + 1e-9
-    x = (x - mean) / deviation
-    weight = np.ones(len(rows))
-
-    left_out = np.zeros(len(rows))
-    for name in sorted(set(sets)):
-        others = sets != name
-        b = fit(x[others], right[others], weight[others])
-        left_out[~others] = 1 / (1 + np.exp(-(b[0] + x[~others] @ b[1:])))
+    left_out, weights = fit_leaving_out(named, right, np.ones(len(rows)), sets)
     print("set left out          vertices  wrong %    area")
     for name in sorted(set(sets)) + ["all, each left out"]:
         inside = sets == name if name in sets else np.ones(len(rows), dtype=bool)
         area = area_under_roc(left_out[inside], right[inside])
         print(f"{name:22}{inside.sum():8}{100 * (1 - right[inside].mean()):9.1f}{area:8.3f}")
     print_reliability(left_out, right)
-    b = fit(x, right, weight)
-    print(f"\nfit to all\n{'bias':18}{b[0] - (b[1:] * mean / deviation).sum():8.3f}")
-    for name, value in zip(named, b[1:] / deviation):
-        print(f"{name:18}{value:8.3f}")
+    print_weights(weights)
 
 
 if __name__ == "__main__":
