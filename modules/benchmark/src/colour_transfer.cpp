@@ -1,5 +1,6 @@
 #include "benchmark/colour_transfer.h"
 
+#include "base/bounding_box.h"
 #include "base/vector_math.h"
 #include "io/write/output_file.h"
 #include "picture/mesh_drawing.h"
@@ -7,40 +8,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl {
 namespace symmetry {
 namespace {
 
 /** \brief The box of the finite points. */
-struct Box {
-  Vector3 least = {0.0F, 0.0F, 0.0F};
-  Vector3 most = {0.0F, 0.0F, 0.0F};
-};
-
-Box
+BoundingBox
 boxOf(const Surface& surface)
 {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  Box box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  BoundingBox box;
   for (const Vector3& point : surface.points)
-    for (std::size_t k = 0; isFinite(point) && k < 3; ++k) {
-      box.least[k] = std::min(box.least[k], point[k]);
-      box.most[k] = std::max(box.most[k], point[k]);
-    }
+    if (isFinite(point))
+      box.extend(point);
   return box;
 }
 
-/** \brief Light enough for shading to be seen on it. */
+/** \brief A place as a colour: a channel for each axis, light enough for shading to be seen on it. */
 Colour
-colourAt(const Vector3& point, const Box& box)
+colourAt(const Vector3& point, const BoundingBox& box)
 {
-  constexpr float darkest = 40.0F;
+  constexpr float darkest = 40.0F; // of 255, by eye
   Colour colour = {0, 0, 0};
   for (std::size_t k = 0; k < 3; ++k) {
-    const float extent = box.most[k] - box.least[k];
-    const float share = extent > 0.0F ? std::clamp((point[k] - box.least[k]) / extent, 0.0F, 1.0F) : 0.5F;
+    const float extent = box.high[k] - box.low[k];
+    const float share = extent > 0.0F ? std::clamp((point[k] - box.low[k]) / extent, 0.0F, 1.0F) : 0.5F;
     colour[k] = static_cast<std::uint8_t>(std::lround(darkest + (255.0F - darkest) * share));
   }
   return colour;
@@ -61,7 +53,7 @@ drawPanel(const Surface& surface, const std::vector<Colour>& colours, const Pict
 std::vector<Colour>
 transferColours(const Surface& surface, const SymmetryResult& result)
 {
-  const Box box = boxOf(surface);
+  const BoundingBox box = boxOf(surface);
   std::vector<Colour> colours(surface.size(), colourOf(Side::None));
   for (std::size_t i = 0; i < surface.size(); ++i) {
     const Index painted = result.sides[i] == Side::Target ? result.partners[i] : static_cast<Index>(i);
