@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 using namespace pcl::symmetry;
@@ -56,7 +57,8 @@ struct Outputs {
 
 struct Options {
   std::string input;
-  std::string format; ///< of the input; empty: by its ending
+  std::string format;    ///< of the input; empty: by its ending
+  std::string reference; ///< labelled surface that the sides are named like; empty: none
   Outputs outputs;
   SymmetryParameters parameters;
   bool as_cloud = false;
@@ -79,6 +81,9 @@ describeOptions(Options& options)
   output.file("picture", outputs.picture, "front and back, .png");
 
   OptionGroup method("Method");
+  method.file("like", options.reference,
+              "name the sides as in this labelled surface (--output of an earlier run): another pose, or another body "
+              "of the kind");
   method.choice("method", parameters.method, method_names, "robust, or staged: the published method step by step");
   method.choice("metric", parameters.metric, metric_names, "geodesic, or euclidean: right only in a symmetric pose");
   method.choice("components", parameters.components, component_use_names,
@@ -134,7 +139,9 @@ checkOptions(const Options& options)
   checkEnding("output", options.outputs.labelled, {".ply", ".pcd"});
   checkEnding("axis", options.outputs.axis, {".ply", ".pcd", ".csv"});
   checkEnding("picture", options.outputs.picture, {".png"});
-  checkDistinct(options.outputs.all(), {options.input});
+  if (options.parameters.sparse_only && !options.reference.empty())
+    throw UsageError("--like compares dense maps, which --sparse leaves out");
+  checkDistinct(options.outputs.all(), {options.input, options.reference});
   const std::vector<std::string> formats = {"", "pcd", "ply", "obj", "off", "stl"};
   if (std::find(formats.begin(), formats.end(), options.format) == formats.end())
     throw UsageError("--format is pcd, ply, obj, off or stl, not '" + options.format + "'");
@@ -208,6 +215,8 @@ summarize(const SymmetryResult& result)
          << describeAxis(result.axis);
   if (!result.unsupported.empty())
     text << describeUnsupported(result);
+  if (result.naming.by_reference)
+    text << "  sides named by reference, margin " << result.naming.margin;
   text << "  " << seconds << " s";
   if (!result.message.empty())
     text << "  " << result.message;
@@ -227,6 +236,19 @@ estimate(const Options& options, const Surface& surface)
   catch (const pcl::BadArgumentException& error) {
     throw std::runtime_error(options.input + ": " + errorText(error)); // a parameter that this surface cannot have
   }
+}
+
+/** \brief Says that the names of the sides may well be wrong; empty where they need not be doubted. */
+std::string
+adviceOnNames(const Options& options, const SideNaming& naming)
+{
+  constexpr float doubtful = 0.1F; // see SideNaming::margin
+  if (!naming.by_reference || naming.margin >= doubtful)
+    return "";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << program << ": warning: " << options.reference
+       << " hardly tells which side is which: margin " << naming.margin << '\n';
+  return text.str();
 }
 
 /** \brief What to do about a map that may well be wrong; empty where it need not be doubted. */
@@ -250,7 +272,7 @@ printSummary(const Options& options, const SymmetryResult& result)
   if (options.quiet)
     return;
   (options.outputs.takeStandardOutput() ? std::cerr : std::cout) << summarize(result) << '\n';
-  std::cerr << adviceOn(result);
+  std::cerr << adviceOn(result) << adviceOnNames(options, result.naming);
 }
 
 /** \brief Reads, estimates and writes. */
@@ -261,10 +283,18 @@ work(const Options& options)
   Surface surface = readSurface(options.input, options.format);
   if (options.as_cloud)
     surface.triangles.clear();
+  std::optional<NameReference> reference;
+  if (!options.reference.empty())
+    reference = readNameReference(options.reference, options.parameters.threads);
   const double read_seconds = reading.seconds();
 
   SymmetryResult result = estimate(options, surface);
   result.seconds.insert(result.seconds.begin(), {"read", read_seconds});
+  if (reference) {
+    const Stopwatch naming;
+    reference->nameSides(surface, result, options.parameters.threads);
+    result.seconds.emplace_back("names", naming.seconds());
+  }
   result.input.notes = surface.notes;
   const Stopwatch writing;
   const bool is_judged = hasMap(result.status) || result.status == SymmetryStatus::NoSymmetry;

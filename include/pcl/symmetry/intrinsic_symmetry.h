@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/symmetry/export.h>
+#include <pcl/symmetry/name_reference.h>
 #include <pcl/symmetry/symmetry.h>
 
 #include <pcl/PolygonMesh.h>
@@ -14,6 +15,7 @@
 #include <pcl/search/search.h>
 
 #include <array>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -184,6 +186,22 @@ public:
     return parameters_;
   }
 
+  /** \brief Names the sides as a reference does; null (default): by the shape alone, see SymmetryResult::sides.
+   *
+   * compute () then throws pcl::BadArgumentException where there is no dense map (sparse_only). */
+  void
+  setNameReference(const std::shared_ptr<const symmetry::NameReference>& reference)
+  {
+    name_reference_ = reference;
+  }
+
+  /** \brief The reference that was set; null: none. */
+  std::shared_ptr<const symmetry::NameReference>
+  getNameReference() const
+  {
+    return name_reference_;
+  }
+
   /** \brief Called as each step starts and several times a second; returning false cancels, an exception of it leaves
    * compute () with the result as it was. */
   void
@@ -216,6 +234,7 @@ private:
   symmetry::SymmetryParameters parameters_;
   symmetry::ProgressCallback progress_;
   SearchPtr search_;
+  std::shared_ptr<const symmetry::NameReference> name_reference_;
   std::vector<symmetry::Triangle> triangles_;
   std::array<double, 3> offset_{};
 };

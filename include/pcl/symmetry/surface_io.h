@@ -11,6 +11,7 @@
 #pragma once
 
 #include <pcl/symmetry/export.h>
+#include <pcl/symmetry/name_reference.h>
 #include <pcl/symmetry/surface.h>
 #include <pcl/symmetry/symmetry_parameters.h>
 #include <pcl/symmetry/symmetry_result.h>
@@ -66,6 +67,17 @@ readSurface(const std::string& path);
  */
 PCL_SYMMETRY_EXPORTS Surface
 readSurface(const std::string& path, const std::string& format);
+
+/** \brief Reads a surface that writeLabelledSurface() wrote, for others to take the names of their sides from.
+ *
+ * Of other programs' files integer fields \a label (1 and 2: the sides) and \a partner (0-based, -1: none) are enough.
+ * \param[in] path a .ply or .pcd file, also compressed by gzip
+ * \param[in] threads 0: all cores
+ * \throws pcl::IOException as readSurface(), or the file has no such fields, or NameReference refuses what it holds
+ * \ingroup symmetry
+ */
+PCL_SYMMETRY_EXPORTS NameReference
+readNameReference(const std::string& path, unsigned threads = 0);
 
 /** \brief Throws unless a file can be made at \a path, or be replaced; leaves all as it was.
  *
@@ -137,7 +149,7 @@ writeAxis(const std::string& path, const Surface& surface, const SymmetryResult&
 /** \brief Writes the report: one JSON object.
  *
  * Keys: status, message, confidence, diameter, input, map, matches (their number), mirror_plane (where there is a dense
- * map), alternatives and rotations (only
+ * map), side_names (where they are those of a reference), alternatives and rotations (only
  * where there are several reflections; see SymmetryResult), parameters, seconds (steps in order, and their sum as
  * total), version. A number that is not finite is null.
  *

@@ -111,6 +111,16 @@ struct MirrorPlane {
   std::array<std::array<double, 4>, 3> to_x{};
 };
 
+/** \brief How the two sides got their names: which one is called the source side. */
+struct SideNaming {
+  bool by_reference = false; ///< as those of a reference, see NameReference; else by the shape alone
+  bool exchanged = false;    ///< the names by the shape alone were the other way round
+  /** How much better the names fit than if they were exchanged, in [0, 1]; 0: nothing can be told. Below 0.1 they may
+   * well be wrong. */
+  float margin = 0.0F;
+  float misfit = 0.0F; ///< how unlike the reference is: about 0.3 in another pose, about 1 as another kind of animal
+};
+
 /** \brief A connected part of the surface that has no counterpart under the map. */
 struct UnsupportedPart {
   std::size_t points = 0; ///< of the surface that was solved for
@@ -157,6 +167,7 @@ struct SymmetryResult {
   /** Per point. Robust method: which half is called the source side follows from the shape alone, and for most bodies
    * does not change with the pose; staged method: it is arbitrary. */
   std::vector<Side> sides;
+  SideNaming naming;              ///< what decided that, where a reference was given
   std::vector<Region> regions;    ///< per point
   std::vector<Polyline> axis;     ///< the symmetry axis curve, longest part first
   std::vector<Index> extremities; ///< ends of limbs: source, target, source, target; fewer where there are fewer limbs

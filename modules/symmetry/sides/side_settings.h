@@ -29,17 +29,15 @@ struct SampleSideSettings {
   int maximum_rounds = 30;     ///< usual are 5 to 10
 };
 
-/** \brief Names of the sides, see side_names.h: chosen on 54 poses of TOSCA, KIDS and posed human bodies, where poses of
- * one kind all agree. */
+/** \brief Names of the sides, see side_names.h: chosen on 54 poses of TOSCA, KIDS and posed human bodies, where all but two,
+ * a wolf and a centaur, have their left called the source side. */
 struct SideNameSettings {
-  double short_time = 0.01; ///< of heat, on a surface of area 1
+  double short_time = 0.003; ///< of heat, on a surface of area 1
   double long_time = 0.03;
-  std::ptrdiff_t curvature_scale = 1; ///< the middle one of three
-  double usual_distance_area = 0.65;  ///< medians of the two areas
-  double usual_curvature_area = 4.7;
-  double clear = 0.8;        ///< of a side function of unit mean square, about 1 away from the axis
-  double constant = 1e-6;    ///< deviation below which a function is constant
-  double least_heat = 1e-12; ///< whose logarithm is taken
+  std::ptrdiff_t curvature_scale = 0; ///< the finest one of three
+  double distance_unit = 2.6;         ///< of the two areas: together they are about 1, and weigh about the same
+  double curvature_unit = 17.5;
+  double clear = 0.8; ///< of a side function of unit mean square, about 1 away from the axis
 };
 
 /** \brief Sides grown from those that are clear, see side_growth.h; chosen on TOSCA. */

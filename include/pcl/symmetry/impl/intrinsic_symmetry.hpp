@@ -151,8 +151,13 @@ IntrinsicSymmetryEstimation<PointT>::compute(IntrinsicSymmetryResult& result)
     };
   }
   const bool all_points = !indices_ || fake_indices_;
-  static_cast<symmetry::SymmetryResult&>(result) = symmetry::detail::estimateSelected(
-      inputSurface(), all_points ? nullptr : indices_.get(), parameters_, search, progress_);
+  const symmetry::Surface surface = inputSurface();
+  symmetry::SymmetryResult found = symmetry::detail::estimateSelected(surface, all_points ? nullptr : indices_.get(),
+                                                                      parameters_, search, progress_);
+  if (name_reference_) {
+    name_reference_->nameSides(surface, found, parameters_.threads);
+  }
+  static_cast<symmetry::SymmetryResult&>(result) = std::move(found);
   result.correspondences.clear();
   for (const symmetry::SymmetricMatch& match : result.matches) {
     result.correspondences.emplace_back(match.source, match.target, match.cost);

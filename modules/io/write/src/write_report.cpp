@@ -75,6 +75,15 @@ describePlane(const MirrorPlane& plane)
 }
 
 Json
+describeNaming(const SideNaming& naming)
+{
+  return {{"by", "reference"},
+          {"exchanged", naming.exchanged},
+          {"margin", toJson(naming.margin)},
+          {"misfit", toJson(naming.misfit)}};
+}
+
+Json
 describeUnsupported(const std::vector<UnsupportedPart>& parts)
 {
   Json list = Json::array();
@@ -172,6 +181,8 @@ writeReport(const std::string& path,
                  {"matches", result.matches.size()}};
   if (result.plane.normal != MirrorPlane{}.normal)
     report["mirror_plane"] = describePlane(result.plane);
+  if (result.naming.by_reference)
+    report["side_names"] = describeNaming(result.naming);
   if (!result.unsupported.empty())
     report["unsupported"] = describeUnsupported(result.unsupported);
   if (result.equal_reflections > 1)
