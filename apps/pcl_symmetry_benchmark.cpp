@@ -5,6 +5,7 @@
 #include "benchmark/evidence.h"
 #include "benchmark/graph_accuracy.h"
 #include "benchmark/map_file.h"
+#include "benchmark/name_consistency.h"
 #include "benchmark/paper_report.h"
 #include "benchmark/report_files.h"
 #include "benchmark/report_table.h"
@@ -35,6 +36,8 @@ struct Options {
   std::vector<std::string> classes;
   bool all = false;
   bool graph = false;
+  bool names = false;
+  std::vector<std::string> exchanged;
   std::string evidence;
   std::string vertex_evidence;
   RunOptions run;
@@ -71,6 +74,12 @@ methodOptions(Options& options)
   method.flag("as-cloud", options.run.as_cloud, "leave the faces out of the input");
   method.flag("graph", options.graph,
               "compare distances in the graph of the cloud with those along the mesh; prints this table only");
+  method.flag(
+      "side-names", options.names,
+      "compare the names of the sides of models of a set, with one another as reference and by the shape alone, "
+      "where their true sides are known (Sides/CLASS.txt, MODEL_side.txt or side.txt); prints this table only");
+  method.words("exchanged", options.exchanged, "CLASS",
+               "with --side-names: a class whose file of sides calls right what the others call left (repeatable)");
   method.number("neighbours,k", parameters.k_search, "N", "neighbours of a point in the graph of a cloud");
   method.number("landmarks", parameters.landmarks, "N", "sources of full distance fields");
   method.number("samples", parameters.samples, "N", "evenly spaced samples, 0: the method's default");
@@ -167,6 +176,14 @@ checkCombination(const Options& options)
   if (options.graph && (options.run.as_cloud || !options.csv.empty() || !options.json.empty() ||
                         !options.plot.empty() || !options.map_folder.empty()))
     throw UsageError("--graph finds no maps: it goes with neither --as-cloud nor an output file");
+  if (options.names &&
+      (options.graph || options.run.cut_limb || options.variants > 0 || !options.paper.empty() ||
+       !options.map_folder.empty() || !options.run.disturbance.changesNothing() || !options.csv.empty() ||
+       !options.json.empty() || !options.plot.empty() || !options.evidence.empty() || scores_map))
+    throw UsageError("--side-names is of the models as they are and writes nothing else: of all that changes models or "
+                     "writes files it goes with --as-cloud only");
+  if (!options.exchanged.empty() && !options.names)
+    throw UsageError("--exchanged goes with --side-names");
   if (options.graph && options.run.cut_limb)
     throw UsageError("--graph needs whole models: it does not go with --cut-limb");
   if (options.variants > 0 && (options.graph || options.run.cut_limb))
@@ -321,6 +338,23 @@ runGraphs(const Options& options)
                                                                                                          : exit_done;
 }
 
+int
+runNames(const Options& options)
+{
+  std::vector<BenchmarkModel> models = selectModels(options);
+  models.erase(std::remove_if(models.begin(), models.end(),
+                              [](const BenchmarkModel& model) { return findSideTruth(model).empty(); }),
+               models.end());
+  bool is_complete = true;
+  const std::vector<NamePairs> rows =
+      compareAllNames(models, options.run, options.exchanged, options.jobs, [&is_complete](const NamedModel& model) {
+        std::cerr << model.model.name << ": " << model.failure << '\n';
+        is_complete = false;
+      });
+  printNames(std::cout, rows);
+  return is_complete ? exit_done : exit_failed;
+}
+
 void
 printResults(const Options& options, const std::vector<ModelRun>& runs)
 {
@@ -384,6 +418,8 @@ runWith(Options& options, const CommandLine& line)
     return runEvidence(options);
   if (!options.paper.empty())
     return runPaper(options);
+  if (options.names)
+    return runNames(options);
   return options.graph ? runGraphs(options) : runDataSets(options);
 }
 
