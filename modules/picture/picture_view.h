@@ -37,7 +37,8 @@ std::vector<PartnerPair>
 findPartnerPairs(const Surface& surface, const SymmetryResult& result);
 
 /** \brief Looks at both sides at once, from where as much as possible of each can be seen, with the line from side to
- * side level; at a surface without pairs from where most of it can be seen. */
+ * side level. What stands upright (upright.h) is drawn so; at a surface without pairs it looks from where most can be
+ * seen. */
 PictureView
 chooseView(const Surface& surface, const SymmetryResult& result, const std::vector<PartnerPair>& pairs);
 

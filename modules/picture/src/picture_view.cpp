@@ -1,6 +1,7 @@
 #include "picture/picture_view.h"
 
 #include "base/vector_math.h"
+#include "picture/upright.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -184,6 +185,40 @@ extentAlong(const Scene& scene, const Vector3& direction)
   return most - least;
 }
 
+/** \brief Of several views the one that shows most from before and from behind; ties go to the first. */
+PictureView
+bestOf(const Scene& scene, const std::vector<PictureView>& views, bool has_sides)
+{
+  PictureView best = views.front();
+  double best_worth = -1.0;
+  for (const PictureView& view : views) {
+    const double worth = rateView(scene, view, has_sides) + rateView(scene, view.fromBehind(), has_sides);
+    if (worth > best_worth) {
+      best_worth = worth;
+      best = view;
+    }
+  }
+  return best;
+}
+
+/** \brief Views at the height of the surface, from the front and from some way to its sides. */
+std::vector<PictureView>
+viewsAround(const Scene& scene, const Vector3& upright, const Vector3& level)
+{
+  constexpr std::array<float, 7> angles = {0.0F, 0.3F, -0.3F, 0.6F, -0.6F, 0.9F, -0.9F};
+  const Vector3 front = cross(level, upright);
+  std::vector<PictureView> views;
+  for (const float angle : angles) {
+    PictureView view;
+    view.up = upright;
+    view.toward = std::cos(angle) * front + std::sin(angle) * level;
+    view.right = cross(view.up, view.toward);
+    view.centre = scene.centre;
+    views.push_back(view);
+  }
+  return views;
+}
+
 /** \brief Turns the view sideways, for what is deeper than wide: an animal seen from straight above or below shows both
  * of its sides, but hardly its shape. */
 void
@@ -257,18 +292,18 @@ chooseView(const Surface& surface, const SymmetryResult& result, const std::vect
   const bool has_pairs = norm(lateral) > 0.0F;
   const Vector3 level = has_pairs ? lateral : principal[1];
 
+  const Vector3 upright = has_pairs ? uprightDirection(scene.points, lateral) : Vector3{0.0F, 0.0F, 0.0F};
+  if (norm(upright) > 0.0F) {
+    PictureView view = bestOf(scene, viewsAround(scene, upright, level), has_pairs);
+    fitView(surface.points, view);
+    return view;
+  }
   std::vector<Vector3> directions = halfSphere();
   directions.insert(directions.begin(), principal.begin(), principal.end());
-  PictureView best = makeView(scene, principal[2], level);
-  double best_worth = -1.0;
-  for (const Vector3& direction : directions) {
-    const PictureView view = makeView(scene, direction, level);
-    const double worth = rateView(scene, view, has_pairs) + rateView(scene, view.fromBehind(), has_pairs);
-    if (worth > best_worth) {
-      best_worth = worth;
-      best = view;
-    }
-  }
+  std::vector<PictureView> views;
+  for (const Vector3& direction : directions)
+    views.push_back(makeView(scene, direction, level));
+  PictureView best = bestOf(scene, views, has_pairs);
   if (has_pairs && extentAlong(scene, best.toward) > extentAlong(scene, best.right))
     turn(best);
   fitView(surface.points, best);

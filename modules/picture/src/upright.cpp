@@ -1,0 +1,132 @@
+#include "picture/upright.h"
+
+#include "base/vector_math.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+constexpr float ground = 0.04F;    ///< of the height: what is that low touches the ground
+constexpr float on_axis = 0.12F;   ///< of the half width: nearer to the mirror plane is on it
+constexpr float sideways = 0.5F;   ///< cosine to the lateral direction above which an axis is not upright
+constexpr float usual_axis = 0.5F; ///< what the third axis, and heads that point down, are worth less
+constexpr float tallness = 0.1F;   ///< what the height is worth over the largest extent: it decides between equals
+
+/** \brief What lies between the least and the largest of some numbers. */
+struct Range {
+  float least = std::numeric_limits<float>::infinity();
+  float most = -std::numeric_limits<float>::infinity();
+
+  void
+  add(float value)
+  {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+
+  bool
+  contains(float value) const
+  {
+    return least <= value && value <= most;
+  }
+
+  float
+  length() const
+  {
+    return most - least;
+  }
+};
+
+Range
+rangeAlong(const std::vector<Vector3>& points, const Vector3& direction)
+{
+  Range range;
+  for (const Vector3& p : points) {
+    range.add(dot(p, direction));
+  }
+  return range;
+}
+
+Vector3
+meanOf(const std::vector<Vector3>& points)
+{
+  std::array<double, 3> sum = {0.0, 0.0, 0.0};
+  for (const Vector3& p : points) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[k] += static_cast<double>(p[k]);
+    }
+  }
+  const auto count = static_cast<double>(points.size());
+  return {static_cast<float>(sum[0] / count), static_cast<float>(sum[1] / count), static_cast<float>(sum[2] / count)};
+}
+
+/** \brief How well a body stands: the share of what touches the ground that is off the mirror plane; -1: it falls over. */
+float
+standing(const std::vector<Vector3>& points, const Vector3& lateral, const Vector3& up)
+{
+  const Vector3 centre = meanOf(points);
+  const Vector3 forward = cross(lateral, up);
+  const Range heights = rangeAlong(points, up);
+  const Range widths = rangeAlong(points, lateral);
+  Range touched_lateral;
+  Range touched_forward;
+  float touching = 0.0F;
+  float off_axis = 0.0F;
+  for (const Vector3& p : points) {
+    if (dot(p, up) > heights.least + ground * heights.length()) {
+      continue;
+    }
+    touched_lateral.add(dot(p, lateral));
+    touched_forward.add(dot(p, forward));
+    touching += 1.0F;
+    off_axis += std::abs(dot(p - centre, lateral)) > 0.5F * on_axis * widths.length() ? 1.0F : 0.0F;
+  }
+  if (!touched_lateral.contains(dot(centre, lateral)) || !touched_forward.contains(dot(centre, forward))) {
+    return -1.0F;
+  }
+  return off_axis / touching;
+}
+
+} // namespace
+
+Vector3
+uprightDirection(const std::vector<Vector3>& points, const Vector3& lateral)
+{
+  Vector3 best = {0.0F, 0.0F, 0.0F};
+  if (points.empty()) {
+    return best;
+  }
+  float extent = 0.0F;
+  for (const Vector3& axis : {Vector3{1.0F, 0.0F, 0.0F}, Vector3{0.0F, 1.0F, 0.0F}, Vector3{0.0F, 0.0F, 1.0F}}) {
+    extent = std::max(extent, rangeAlong(points, axis).length());
+  }
+  float best_worth = 0.0F;
+  for (const std::size_t k : {std::size_t{1}, std::size_t{2}, std::size_t{0}}) {
+    for (const float sign : {1.0F, -1.0F}) {
+      Vector3 axis = {0.0F, 0.0F, 0.0F};
+      axis[k] = sign;
+      if (std::abs(dot(axis, lateral)) > sideways) {
+        continue;
+      }
+      const Vector3 up = normalized(axis - dot(axis, lateral) * lateral);
+      const float stands = standing(points, lateral, up);
+      if (stands < 0.0F) {
+        continue;
+      }
+      const float unusual = k == 0 || sign < 0.0F ? usual_axis : 0.0F;
+      const float height = extent > 0.0F ? rangeAlong(points, up).length() / extent : 0.0F;
+      const float worth = 1.0F + stands + tallness * height - unusual;
+      if (worth > best_worth) {
+        best_worth = worth;
+        best = up;
+      }
+    }
+  }
+  return best;
+}
+
+} // namespace symmetry
+} // namespace pcl
