@@ -111,6 +111,24 @@ TEST_F(IntrinsicSymmetryProgram, GivesTheSameBytesForAnyNumberOfThreads)
   EXPECT_EQ(labelled("1"), labelled("2"));
 }
 
+TEST_F(IntrinsicSymmetryProgram, NamesTheSidesLikeAReference)
+{
+  const std::string reference = results_.file("reference.ply");
+  ASSERT_EQ(runProgram(program, {human(), "-o", reference, "--label-axis", "off"}).exit_status, 0);
+  const std::string report_file = results_.file("report.json");
+  const ProgramRun run = runProgram(program, {human(), "--like", reference, "--report", report_file});
+  ASSERT_EQ(run.exit_status, 0) << run.errors;
+  EXPECT_NE(run.output.find("sides named by reference, margin "), std::string::npos) << run.output;
+  const auto names = nlohmann::json::parse(readBytes(report_file)).at("side_names");
+  EXPECT_EQ(names.at("by"), "reference");
+  EXPECT_EQ(names.at("exchanged"), false);
+  EXPECT_GT(names.at("margin"), 0.1);
+
+  const ProgramRun unlabelled = runProgram(program, {human(), "--like", human()});
+  EXPECT_EQ(unlabelled.exit_status, 1);
+  EXPECT_NE(unlabelled.errors.find(human() + ": has no integers 'label'"), std::string::npos) << unlabelled.errors;
+}
+
 TEST_F(IntrinsicSymmetryProgram, EndsWithThreeWhereThereIsNoSymmetry)
 {
   const std::string report_file = results_.file("report.json");

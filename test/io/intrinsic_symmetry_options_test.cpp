@@ -115,6 +115,8 @@ TEST_F(IntrinsicSymmetryOptions, WrongUsageIsRefusedBeforeAnythingIsWritten)
                                                        {"-o", output, "--axis", output},
                                                        {"--map", folder_.file("x"), "--report", folder_.file("./x")},
                                                        {"--samples", "25"},
+                                                       {"--sparse", "--like", folder_.file("reference.ply")},
+                                                       {"--like", output, "-o", output},
                                                        {"--map", input_}};
   for (const std::vector<std::string>& arguments : wrong) {
     const ProgramRun refused = run(arguments);
