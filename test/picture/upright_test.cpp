@@ -81,8 +81,9 @@ TEST(Upright, IsPerpendicularToTheLateralDirection)
   EXPECT_NEAR(norm(up), 1.0F, 1e-6F);
 }
 
-TEST(Upright, CannotBeToldOfWhatStandsNowhere)
+TEST(Upright, CannotBeToldOfNothingOrOfWhatIsObliqueToAllAxes)
 {
+  EXPECT_EQ(norm(uprightDirection(animal(), normalized(Vector3{1.0F, 1.0F, 1.0F}))), 0.0F);
   EXPECT_EQ(norm(uprightDirection({}, sideways)), 0.0F);
 }
 
