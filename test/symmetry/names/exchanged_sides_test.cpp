@@ -14,7 +14,11 @@ roofWithAll()
 {
   SymmetryResult result = roofSymmetry();
   result.extremities = {0, 4, 1, 5};
-  result.plane = fitMirrorPlane(roof().points, result.partners, result.sides);
+  std::vector<Vector3> moved = roof().points;
+  for (Vector3& p : moved) {
+    p[0] += 2.0F;
+  }
+  result.plane = fitMirrorPlane(moved, result.partners, result.sides);
   return result;
 }
 
@@ -41,9 +45,10 @@ TEST(ExchangedSides, PlaneFacesTheNewSourceSide)
   ASSERT_NEAR(result.plane.normal[0], -1.0, 1e-6);
   exchangeSides(result);
   EXPECT_NEAR(result.plane.normal[0], 1.0, 1e-6);
-  // Points of the source side, now those where x is positive, are brought to where x is positive.
+  EXPECT_NEAR(result.plane.offset, 2.0, 1e-6);
+  // Points of the source side, now those where x is above 2, are brought to where x is positive.
   const auto& row = result.plane.to_x[0];
-  EXPECT_NEAR(row[0] * 1.0 + row[3], 1.0, 1e-6);
+  EXPECT_NEAR(row[0] * 3.0 + row[3], 1.0, 1e-6);
 }
 
 TEST(ExchangedSides, TwiceIsAsBefore)
