@@ -4,6 +4,7 @@
 #pragma once
 
 #include "symmetry/samples/sampled_surface.h"
+#include "symmetry/sides/side_settings.h"
 
 #include <vector>
 
@@ -25,7 +26,7 @@ namespace symmetry {
  * \return about 1 in size on bodies; positive on an upright human if the sides are positive on its left; zero where
  * nothing tells. Cost O(samples * landmarks) */
 double
-chirality(const SampledSurface& sampled, const std::vector<float>& sides);
+chirality(const SampledSurface& sampled, const std::vector<float>& sides, const SideNameSettings& settings = {});
 
 } // namespace symmetry
 } // namespace pcl

@@ -29,14 +29,14 @@ struct SampleSideSettings {
   int maximum_rounds = 30;     ///< usual are 5 to 10
 };
 
-/** \brief Names of the sides, see side_names.h: chosen on 54 poses of TOSCA, KIDS and posed human bodies, where all but two,
- * a wolf and a centaur, have their left called the source side. */
+/** \brief Names of the sides, see side_names.h: chosen on 54 poses of TOSCA, KIDS and posed human bodies, where those of
+ * people all agree, and on generated bodies. */
 struct SideNameSettings {
-  double short_time = 0.003; ///< of heat, on a surface of area 1
+  double short_time = 0.01; ///< of heat, on a surface of area 1
   double long_time = 0.03;
-  std::ptrdiff_t curvature_scale = 0; ///< the finest one of three
-  double distance_unit = 2.6;         ///< of the two areas: together they are about 1, and weigh about the same
-  double curvature_unit = 17.5;
+  std::ptrdiff_t curvature_scale = 1; ///< the middle one of three
+  double distance_unit = 0.65;        ///< medians of the two areas
+  double curvature_unit = 4.7;
   double clear = 0.8; ///< of a side function of unit mean square, about 1 away from the axis
 };
 

@@ -102,7 +102,7 @@ comparableSurface(const SampledSurface& sampled, const SampleMap& map, const std
   surface.areas = Eigen::Map<const Eigen::VectorXf>(sampled.coarse.areas.data(), samples).cast<double>();
   surface.triangles = trianglesFromOutside(sampled.coarse);
   surface.sides = Eigen::Map<const Eigen::VectorXf>(sides.data(), samples).cast<double>();
-  surface.chirality = chirality(sampled, sides);
+  surface.chirality = chirality(sampled, sides, settings.chirality);
   return surface;
 }
 

@@ -1,15 +1,12 @@
 #include "symmetry/sides/side_names.h"
 
 #include "symmetry/sides/intrinsic_functions.h"
-#include "symmetry/sides/side_settings.h"
 
 #include <algorithm>
 
 namespace pcl {
 namespace symmetry {
 namespace {
-
-constexpr SideNameSettings settings{};
 
 /** Integral of (h dg - g dh) ^ du / 2, the triangles turned as the normals say. */
 double
@@ -29,7 +26,7 @@ enclosedArea(const CoarseSurface& coarse, const Eigen::VectorXd& g, const Eigen:
 } // namespace
 
 double
-chirality(const SampledSurface& sampled, const std::vector<float>& sides)
+chirality(const SampledSurface& sampled, const std::vector<float>& sides, const SideNameSettings& settings)
 {
   const CoarseSurface& coarse = sampled.coarse;
   const auto samples = static_cast<Eigen::Index>(sides.size());
