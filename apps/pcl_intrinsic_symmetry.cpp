@@ -59,6 +59,7 @@ struct Options {
   std::string format; ///< of the input; empty: by its ending
   Outputs outputs;
   SymmetryParameters parameters;
+  int samples = 0; ///< of the method that is chosen; 0: its default
   bool as_cloud = false;
   bool require_whole = false;
   bool quiet = false;
@@ -88,15 +89,16 @@ describeOptions(Options& options)
   method.flag("sparse", parameters.sparse_only, "leave out the dense map and alternatives");
   method.choice("label-axis", parameters.label_axis, switch_names,
                 "on, or off: points at the axis are labelled as on one of the sides");
-  method.number("landmarks", parameters.landmarks, "N",
+  method.number("landmarks", parameters.staged.landmarks, "N",
                 "of the staged method: sources of full distance fields, 10 to 1000");
-  method.number("samples", parameters.samples, "N",
-                "evenly spaced samples, 30 (staged: 20) to 20000; 0: the method's default");
+  method.number("samples", options.samples, "N",
+                "evenly spaced samples of the method, 30 (staged: 20) to 20000; 0: 1500 (staged: 100)",
+                Default::Hidden);
   method.number("alternatives", parameters.alternatives, "N",
                 "list up to N reflections, and apart from them the rotations, in the report");
-  method.choice("extremities", parameters.extremities, extreme_points_names,
+  method.choice("extremities", parameters.staged.extremities, extreme_points_names,
                 "of the staged method: the limbs' tips are two pairs among nine farthest points, or the first four");
-  method.choice("pairing", parameters.pairing, pairing_names, "what pairs the first four: agd, mgd or size");
+  method.choice("pairing", parameters.staged.pairing, pairing_names, "what pairs the first four: agd, mgd or size");
   method.count("threads", parameters.threads, thread_limit, "0: one per core");
 
   OptionGroup cloud("Clouds");
@@ -304,6 +306,7 @@ int
 runWith(Options& options, const CommandLine& line)
 {
   options.input = line.onlyWord("INPUT", "a file");
+  setSamples(options.parameters, options.samples);
   checkOptions(options);
   return run(options);
 }

@@ -38,6 +38,7 @@ struct Options {
   std::string evidence;
   std::string vertex_evidence;
   RunOptions run;
+  int samples = 0; ///< of the method that runs; 0: its default
   unsigned jobs = 1;
   std::optional<unsigned> threads;
   unsigned holes = 0;
@@ -72,9 +73,9 @@ methodOptions(Options& options)
   method.flag("graph", options.graph,
               "compare distances in the graph of the cloud with those along the mesh; prints this table only");
   method.number("neighbours,k", parameters.k_search, "N", "neighbours of a point in the graph of a cloud");
-  method.number("landmarks", parameters.landmarks, "N", "sources of full distance fields");
-  method.number("samples", parameters.samples, "N", "evenly spaced samples, 0: the method's default");
-  method.choice("extremities", parameters.extremities, extreme_points_names,
+  method.number("landmarks", parameters.staged.landmarks, "N", "of the staged method: sources of full distance fields");
+  method.number("samples", options.samples, "N", "evenly spaced samples of the method; 0: its default");
+  method.choice("extremities", parameters.staged.extremities, extreme_points_names,
                 "of the staged method: the limbs' tips are two pairs among nine farthest points, or the first four");
   method.count("jobs", options.jobs, thread_limit, "models at a time, 0: one per core");
   method.count("threads", options.threads, thread_limit,
@@ -198,6 +199,7 @@ completeOptions(Options& options, const CommandLine& line)
   options.run.parameters.threads = options.threads.value_or(options.jobs == 1 ? 0 : 1);
   options.run.disturbance.holes = options.holes;
   options.run.disturbance.seed = static_cast<std::uint64_t>(options.seed);
+  setSamples(options.run.parameters, options.samples);
   checkParameterOptions(options.run.parameters);
   checkUsage<pcl::BadArgumentException>([&options] { checkDisturbance(options.run.disturbance); });
   checkCombination(options);

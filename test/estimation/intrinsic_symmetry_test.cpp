@@ -388,9 +388,9 @@ TEST(IntrinsicSymmetryEstimation, SettersRefuseWhatIsOutOfRangeAndKeepWhatTheyHa
   estimation.setKSearch(256);
   EXPECT_EQ(estimation.getParameters().k_search, 256);
   SymmetryParameters parameters;
-  parameters.landmarks = 9;
+  parameters.staged.landmarks = 9;
   EXPECT_THROW(estimation.setParameters(parameters), pcl::BadArgumentException);
-  EXPECT_EQ(estimation.getParameters().landmarks, 100);
+  EXPECT_EQ(estimation.getParameters().staged.landmarks, 100);
 }
 
 TEST(IntrinsicSymmetryEstimation, GettersMirrorSetters)

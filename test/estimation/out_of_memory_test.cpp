@@ -81,7 +81,7 @@ runWith(const Surface& surface, long allocations, long failures)
 {
   SymmetryParameters parameters;
   parameters.threads = 4;
-  parameters.samples = 300; // less to do
+  parameters.robust.samples = 300; // less to do
   failures_left = failures;
   allocations_left = allocations;
   try {
@@ -104,7 +104,7 @@ allocationsOf(const Surface& surface)
   runWith(surface, many, 0); // what is made once per process
   SymmetryParameters parameters;
   parameters.threads = 4;
-  parameters.samples = 300;
+  parameters.robust.samples = 300;
   allocations_left = many;
   estimateIntrinsicSymmetry(surface, parameters);
   return many - allocations_left.exchange(never);

@@ -18,7 +18,7 @@ namespace symmetry {
 
 /** \brief How finely a surface is sampled. */
 struct SamplingSettings {
-  std::size_t samples = 1500; ///< spaced by 1/40 of the diameter on a body: half as wide as a finger is long
+  std::size_t samples = static_cast<std::size_t>(RobustParameters{}.samples);
   std::size_t landmarks =
       600; ///< of the samples: hypotheses are made and judged among them, all pairs of distances fit a cache
   int eigenfunctions = 60;   ///< wavelengths down to about four spacings of the samples, what they can represent

@@ -310,14 +310,14 @@ TEST(StagedMethod, TakesItsParameters)
   const KnownBody human = body(Body::Human, 0.5, 3);
   for (const PairingFeature pairing : {PairingFeature::MinimalGeodesicDistance, PairingFeature::BySurfaceSize}) {
     SymmetryParameters parameters;
-    parameters.pairing = pairing;
-    parameters.extremities = ExtremePoints::FirstFour;
+    parameters.staged.pairing = pairing;
+    parameters.staged.extremities = ExtremePoints::FirstFour;
     expectSound(estimate(human.surface, parameters), human.surface.size());
   }
   SymmetryParameters few;
-  few.landmarks = 10;
-  few.samples = 20;
-  few.embedding_dimensions = 20;
+  few.staged.landmarks = 10;
+  few.staged.samples = 20;
+  few.staged.embedding_dimensions = 20;
   const MapEstimate found = estimate(human.surface, few);
   expectSound(found, human.surface.size());
   EXPECT_LE(found.matches.size(), 20U);

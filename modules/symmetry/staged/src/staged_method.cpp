@@ -54,13 +54,13 @@ findExtremePairs(const SurfaceGraph& embedded,
                  const std::vector<Index>& landmarks,
                  const SymmetryParameters& parameters)
 {
-  const bool first_four = parameters.extremities == ExtremePoints::FirstFour;
+  const bool first_four = parameters.staged.extremities == ExtremePoints::FirstFour;
   const std::vector<Index> points =
       mutuallyFarthestVertices(embedded, start, first_four ? 4 : extremity_settings.candidates);
   if (points.size() < 4) {
     return std::nullopt;
   }
-  const std::vector<float>& feature = pairingFeature(functions, parameters.pairing);
+  const std::vector<float>& feature = pairingFeature(functions, parameters.staged.pairing);
   if (first_four) {
     return pairExtremePoints({points[0], points[1], points[2], points[3]}, feature, metric, landmarks,
                              parameters.threads);
@@ -177,14 +177,16 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
 
   timer.start("sampling", 0.0);
   const Index start = farthestFromCentroid(surface.points);
-  const std::vector<Index> landmarks = metric->farthestPoints(start, static_cast<std::size_t>(parameters.landmarks));
+  const std::vector<Index> landmarks =
+      metric->farthestPoints(start, static_cast<std::size_t>(parameters.staged.landmarks));
 
   timer.start("geodesics", 0.02);
   DistanceFields fields = metric->fields(landmarks, threads);
   estimate.diameter = largestDistance(fields, landmarks);
 
   timer.start("embedding", 0.15); // section 3.1
-  const SpectralEmbedding embedding = embedByLandmarks(fields, landmarks, parameters.embedding_dimensions, threads);
+  const SpectralEmbedding embedding =
+      embedByLandmarks(fields, landmarks, parameters.staged.embedding_dimensions, threads);
   fields = {};
 
   timer.start("hypotheses", 0.2);
@@ -205,8 +207,7 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
   estimate.regions = limbRegions(base.sourceFields(), base.targetFields(), limbs[0].midpoint, limbs[1].midpoint);
 
   timer.start("matching", 0.35); // section 3.3
-  const std::size_t count =
-      parameters.samples == 0 ? settings.default_samples : static_cast<std::size_t>(parameters.samples);
+  const auto count = static_cast<std::size_t>(parameters.staged.samples);
   const std::vector<Index> samples = sampleSourceAndCentre(*metric, start, count, estimate.regions);
   estimate.matches = matchInStages(base, functions, estimate.regions, samples, threads);
   if (estimate.matches.empty()) {
