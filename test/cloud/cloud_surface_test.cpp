@@ -1,3 +1,4 @@
+#include "support/with_threads.h"
 #include "cloud/cloud_surface.h"
 #include "cloud/clouds.h"
 #include "geodesic/shortest_paths.h"
@@ -15,9 +16,9 @@ namespace {
 constexpr float pi = 3.14159265F;
 
 CloudSurface
-surfaceOf(const std::vector<Vector3>& points, const ContactTest& contact = {}, unsigned threads = 1)
+surfaceOf(const std::vector<Vector3>& points, const ContactTest& contact = {})
 {
-  return buildCloudSurface(points, nearestNeighbours(points, 10), {}, 0.0F, contact, threads);
+  return buildCloudSurface(points, nearestNeighbours(points, 10), {}, 0.0F, contact);
 }
 
 SurfaceGraph
@@ -140,7 +141,7 @@ expectOpenRing(const BentTube& tube, const std::vector<Vector3>& normals)
   const SurfaceGraph plain = plainGraph(tube.points);
   ASSERT_GT(edgesBetweenEnds(tube, plain), 5U);
   const NeighbourLists lists = nearestNeighbours(tube.points, 10);
-  const CloudSurface surface = buildCloudSurface(tube.points, lists, normals, 0.0F, {}, 1);
+  const CloudSurface surface = buildCloudSurface(tube.points, lists, normals, 0.0F, {});
   EXPECT_EQ(edgesBetweenEnds(tube, surface.graph), 0U);
   EXPECT_EQ(surface.bridges, 0U);
   const auto last = static_cast<Index>(tube.points.size() - 1);
@@ -195,7 +196,7 @@ TEST(CloudSurface, SheetsFacingEachOtherAreJoinedByOneBridge)
     std::vector<Vector3> normals(points.size(), Vector3{0.0F, 0.0F, 1.0F});
     std::fill(normals.begin() + n * n, normals.end(), Vector3{0.0F, 0.0F, -1.0F});
     ASSERT_GT(edgesAcross(plainGraph(points), first_of_other), points.size());
-    const CloudSurface surface = buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {}, 1);
+    const CloudSurface surface = buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {});
     EXPECT_EQ(connectedComponents(surface.graph).sizes.size(), 1U);
     EXPECT_EQ(edgesAcross(surface.graph, first_of_other), 1U);
     EXPECT_EQ(surface.bridges, 1U);
@@ -223,7 +224,7 @@ TEST(CloudSurface, TouchingSpheresAreJoinedAtTheContact)
     normals.push_back({-normals[v][0], normals[v][1], normals[v][2]});
   }
   ASSERT_GT(edgesAcross(plainGraph(points), first_of_other), 50U);
-  const CloudSurface surface = buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {}, 1);
+  const CloudSurface surface = buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {});
   EXPECT_EQ(connectedComponents(surface.graph).sizes.size(), 1U);
   EXPECT_EQ(surface.bridges, 1U);
   EXPECT_EQ(edgesAcross(surface.graph, first_of_other), 1U);
@@ -280,7 +281,7 @@ TEST(CloudSurface, AStepLeadsToAParallelSheetWhicheverWayItsNormalsAreTurned)
       normals.push_back({0.0F, 0.0F, turned});
     }
     const auto across = [&](const ContactTest& contact) {
-      return edgesAcross(buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, contact, 1).graph,
+      return edgesAcross(buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, contact).graph,
                          first_of_other);
     };
     const std::size_t all = edgesAcross(plainGraph(points), first_of_other);
@@ -301,7 +302,7 @@ TEST(CloudSurface, RoughnessIsNoStep)
   }
   const std::vector<Vector3> normals(points.size(), Vector3{0.0F, 0.0F, 1.0F});
   const CloudSurface surface =
-      buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {0.85F, 1.0F, 0.0F, false, 0.15F}, 1);
+      buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {0.85F, 1.0F, 0.0F, false, 0.15F});
   EXPECT_EQ(surface.distrusted_edges, 0U);
 }
 
@@ -320,7 +321,7 @@ TEST(CloudSurface, ABendIsNoStep)
     p = {std::min(p[0], begin) + radius * std::sin(angle), p[1], radius * (std::cos(angle) - 1.0F) - beyond};
   }
   const CloudSurface surface =
-      buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {0.0F, 1.0F, 0.0F, false, 0.15F}, 1);
+      buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {0.0F, 1.0F, 0.0F, false, 0.15F});
   EXPECT_EQ(surface.distrusted_edges, 0U);
 }
 
@@ -397,7 +398,7 @@ TEST(CloudSurface, DepthFindsTheLayerBetweenMergedBodies)
   normals.resize(points.size(), Vector3{0.0F, 0.0F, 1.0F});
   const NeighbourLists lists = nearestNeighbours(points, 10);
   const auto way_across = [&](const ContactTest& contact) { // mean over several places
-    const SurfaceGraph graph = buildCloudSurface(points, lists, normals, 0.0F, contact, 1).graph;
+    const SurfaceGraph graph = buildCloudSurface(points, lists, normals, 0.0F, contact).graph;
     float sum = 0.0F;
     for (const float y : {0.1F, 0.3F, 0.5F, 0.7F, 0.9F}) {
       const Index other_side = nearestTo(points, {0.7F, y, 0.0F});
@@ -439,8 +440,8 @@ TEST(CloudSurface, DepthEndsWhereEdgesAreVeryMuchLongerThanTheSpacing)
 TEST(CloudSurface, IsTheSameForAnyNumberOfThreads)
 {
   const std::vector<Vector3> points = cubeCloud(24, 6);
-  const CloudSurface one = surfaceOf(points, {}, 1);
-  const CloudSurface three = surfaceOf(points, {}, 3);
+  const CloudSurface one = surfaceOf(points);
+  const CloudSurface three = withThreads(3, [&] { return surfaceOf(points); });
   EXPECT_EQ(one.graph.neighbours, three.graph.neighbours);
   EXPECT_EQ(one.graph.lengths, three.graph.lengths);
   EXPECT_EQ(one.normals, three.normals);
@@ -452,8 +453,8 @@ TEST(CloudSurface, RadiusKeepsDistantPartsApart)
   std::vector<Vector3> points = sheet(20, 0.0F, 7);
   points.push_back({1.5F, 0.5F, 0.0F});
   const NeighbourLists lists = nearestNeighbours(points, 10);
-  EXPECT_EQ(connectedComponents(buildCloudSurface(points, lists, {}, 0.0F, {}, 1).graph).sizes.size(), 1U);
-  EXPECT_EQ(connectedComponents(buildCloudSurface(points, lists, {}, 0.2F, {}, 1).graph).sizes,
+  EXPECT_EQ(connectedComponents(buildCloudSurface(points, lists, {}, 0.0F, {}).graph).sizes.size(), 1U);
+  EXPECT_EQ(connectedComponents(buildCloudSurface(points, lists, {}, 0.2F, {}).graph).sizes,
             (std::vector<Index>{400, 1}));
 }
 
@@ -468,8 +469,7 @@ TEST(CloudSurface, TurnsNormalsToAgreeWithTheOrientedOnes)
     normals.push_back((is_known || i % 3 == 0 ? -1.0F : 1.0F) * normalized(points[i]));
     is_oriented.push_back(static_cast<char>(is_known));
   }
-  const CloudSurface surface =
-      buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {}, 1, is_oriented);
+  const CloudSurface surface = buildCloudSurface(points, nearestNeighbours(points, 10), normals, 0.0F, {}, is_oriented);
   for (std::size_t i = 0; i < points.size(); ++i) {
     ASSERT_LT(dot(surface.normals[i], points[i]), 0.0F) << i;
   }

@@ -1,3 +1,4 @@
+#include "support/with_threads.h"
 #include "cloud/clouds.h"
 #include "cloud/resampled_cloud.h"
 
@@ -16,9 +17,9 @@ constexpr float sphere_radius = 0.4F;
 constexpr std::size_t any_number = 1000000;
 
 ResampledCloud
-resampledCloud(const std::vector<Vector3>& points, std::size_t most = any_number, unsigned threads = 1)
+resampledCloud(const std::vector<Vector3>& points, std::size_t most = any_number)
 {
-  return resampleCloud(points, nearestNeighbours(points, 10), most, threads);
+  return resampleCloud(points, nearestNeighbours(points, 10), most);
 }
 
 float
@@ -156,8 +157,8 @@ TEST(ResampledCloud, ReadCloselyShowsMoreOfADenseCloud)
     points.push_back({x, evenly(random, -0.25F, 0.25F), 0.004F * bellShaped(random) - depth});
   }
   const NeighbourLists lists = nearestNeighbours(points, 10);
-  const ResampledCloud smooth = resampleCloud(points, lists, any_number, 1);
-  const ResampledCloud close = resampleCloud(points, lists, any_number, 1, NoiseInterpretation::Close);
+  const ResampledCloud smooth = resampleCloud(points, lists, any_number);
+  const ResampledCloud close = resampleCloud(points, lists, any_number, NoiseInterpretation::Close);
   EXPECT_GT(close.points.size(), 2 * smooth.points.size());
   EXPECT_TRUE(close.normals.empty());
   expectConsistent(close, points.size());
@@ -184,7 +185,7 @@ TEST_P(SheetsInContactTest, HasTwoPointsWhereTwoSheetsTouch)
 {
   const std::vector<Vector3> points = ballsInContact(GetParam());
   const NeighbourLists lists = nearestNeighbours(points, 10);
-  const ResampledCloud cloud = resampleCloud(points, lists, any_number, 1, NoiseInterpretation::Parted);
+  const ResampledCloud cloud = resampleCloud(points, lists, any_number, NoiseInterpretation::Parted);
   ASSERT_EQ(cloud.normals.size(), cloud.points.size());
   ASSERT_EQ(cloud.is_oriented.size(), cloud.points.size());
   ASSERT_EQ(cloud.original.size(), cloud.points.size());
@@ -226,7 +227,7 @@ TEST(ResampledCloud, PartedLetsBothSheetsStandForPointsOfTheCloud)
 {
   const std::vector<Vector3> points = ballsInContact(0.004F);
   const ResampledCloud cloud =
-      resampleCloud(points, nearestNeighbours(points, 10), any_number, 1, NoiseInterpretation::Parted);
+      resampleCloud(points, nearestNeighbours(points, 10), any_number, NoiseInterpretation::Parted);
   std::vector<std::size_t> represented(cloud.points.size(), 0);
   for (const Index i : cloud.representatives) {
     if (i != no_index) {
@@ -356,7 +357,7 @@ TEST(ResampledCloud, IsNoLargerThanAskedForWherePointsAreAsGoodAsOne)
   for (int i = 0; i < 400; ++i) {
     points.push_back({i % 2 == 0 ? 0.0F : 1.0F, evenly(random, 0.0F, 1e-25F), evenly(random, 0.0F, 1e-25F)});
   }
-  const ResampledCloud cloud = resampleCloud(points, nearestNeighbours(points, 10), 100, 1, NoiseInterpretation::Close);
+  const ResampledCloud cloud = resampleCloud(points, nearestNeighbours(points, 10), 100, NoiseInterpretation::Close);
   EXPECT_LE(cloud.points.size(), 100U);
 }
 
@@ -396,8 +397,8 @@ TEST(ResampledCloud, UnevenDensityIsNoOutlierWithNoiseEither)
 TEST(ResampledCloud, IsTheSameForAnyNumberOfThreads)
 {
   const std::vector<Vector3> points = noisy(sphereCloud(12000, sphere_radius), 0.01F, 10);
-  const ResampledCloud one = resampledCloud(points, 1500, 1);
-  const ResampledCloud three = resampledCloud(points, 1500, 3);
+  const ResampledCloud one = resampledCloud(points, 1500);
+  const ResampledCloud three = withThreads(3, [&] { return resampledCloud(points, 1500); });
   ASSERT_GT(one.smoothing_radius, 0.0F);
   EXPECT_EQ(one.points, three.points);
   EXPECT_EQ(one.original, three.original);

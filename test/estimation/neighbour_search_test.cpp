@@ -1,5 +1,6 @@
 #include "base/vector_math.h"
 #include "neighbour_search.h"
+#include "support/with_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ randomPoints(std::size_t count)
 TEST(NeighbourSearch, FindsTheNearestPointsInOrder)
 {
   const std::vector<Vector3> points = randomPoints(700);
-  const NeighbourLists lists = searchByKdTree(points, 6, 2);
+  const NeighbourLists lists = withThreads(2, [&] { return searchByKdTree(points, 6); });
   ASSERT_EQ(lists.k, 6U);
   ASSERT_EQ(lists.neighbours.size(), 6 * points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -47,16 +48,16 @@ TEST(NeighbourSearch, FindsTheNearestPointsInOrder)
 TEST(NeighbourSearch, IsTheSameForAnyNumberOfThreads)
 {
   const std::vector<Vector3> points = randomPoints(2000);
-  EXPECT_EQ(searchByKdTree(points, 8, 1).neighbours, searchByKdTree(points, 8, 5).neighbours);
+  EXPECT_EQ(searchByKdTree(points, 8).neighbours, withThreads(5, [&] { return searchByKdTree(points, 8); }).neighbours);
 }
 
 TEST(NeighbourSearch, MoreNeighboursThanPointsAreAllOfThem)
 {
-  const NeighbourLists lists = searchByKdTree(randomPoints(4), 10, 1);
+  const NeighbourLists lists = searchByKdTree(randomPoints(4), 10);
   EXPECT_EQ(lists.k, 4U);
   EXPECT_EQ(lists.neighbours.size(), 16U);
   EXPECT_EQ(std::count(lists.neighbours.begin(), lists.neighbours.end(), no_index), 0);
-  EXPECT_TRUE(searchByKdTree({}, 10, 1).neighbours.empty());
+  EXPECT_TRUE(searchByKdTree({}, 10).neighbours.empty());
 }
 
 } // namespace

@@ -21,7 +21,7 @@ struct CoarseBody {
 
   /** \brief All that the steps work on; a copy, but for the surface. */
   SampledSurface
-  sampled(unsigned threads = 1) const
+  sampled() const
   {
     const SamplingSettings settings;
     const CellMembers members = membersOfCells(coarse);
@@ -29,11 +29,10 @@ struct CoarseBody {
             coarse,
             basis,
             landmarks,
-            interpolateFromSamples(surface, coarse, threads),
+            interpolateFromSamples(surface, coarse),
             members,
             thinnedMembers(members, settings.probes),
-            describeShape(coarse, basis, settings.dimensions, settings.descriptor),
-            threads};
+            describeShape(coarse, basis, settings.dimensions, settings.descriptor)};
   }
 
   /** \brief The landmark nearest to the true partner of every landmark. */
@@ -64,7 +63,7 @@ coarseBody(Body kind, double bend, std::uint64_t seed = 1)
   result.surface = preparedMesh(result.model.surface);
   result.coarse = coarsenSurface(result.surface, 700);
   result.basis = laplacianBasis(result.coarse, 40);
-  result.landmarks = makeLandmarkSurface(result.coarse, 250, Metric::Geodesic, 1);
+  result.landmarks = makeLandmarkSurface(result.coarse, 250, Metric::Geodesic);
   return result;
 }
 

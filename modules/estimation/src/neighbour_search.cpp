@@ -12,7 +12,7 @@ namespace pcl {
 namespace symmetry {
 
 NeighbourLists
-searchByKdTree(const std::vector<Vector3>& points, int k, unsigned threads)
+searchByKdTree(const std::vector<Vector3>& points, int k)
 {
   const auto cloud = make_shared<PointCloud<PointXYZ>>();
   cloud->reserve(points.size());
@@ -28,7 +28,7 @@ searchByKdTree(const std::vector<Vector3>& points, int k, unsigned threads)
   KdTreeFLANN<PointXYZ> tree;
   tree.setInputCloud(cloud);
   constexpr std::size_t grain = 512;
-  parallelBlocks(points.size(), grain, threads, [&] {
+  parallelBlocks(points.size(), grain, [&] {
     return [&, found = Indices(), squared_distances = std::vector<float>()](std::size_t begin,
                                                                             std::size_t end) mutable {
       for (std::size_t i = begin; i < end; ++i) {

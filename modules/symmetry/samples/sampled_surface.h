@@ -39,7 +39,6 @@ struct SampledSurface {
   CellMembers members;               ///< points of each cell
   CellMembers probes;                ///< some of them
   ShapeDescriptor descriptor;        ///< of the samples
-  unsigned threads = 1;              ///< that work on it; results do not depend on their number
 
   /** \brief Whether there are enough eigenfunctions and any distances to search a symmetry by. */
   bool
@@ -59,11 +58,7 @@ constexpr std::size_t minimum_samples = 30;
  * \param[in,out] timer told of the steps sampling, embedding, geodesics, features
  * \throws Cancelled by the timer */
 SampledSurface
-sampleSurface(const PreparedSurface& surface,
-              const SamplingSettings& settings,
-              Metric metric,
-              unsigned threads,
-              StepTimer& timer);
+sampleSurface(const PreparedSurface& surface, const SamplingSettings& settings, Metric metric, StepTimer& timer);
 
 } // namespace symmetry
 } // namespace pcl

@@ -40,7 +40,7 @@ mapByPlane(const SampledSurface& sampled, const PlaneReflection& plane, const Mi
   const float spacing = median(surface.graph.lengths);
   const float close =
       std::max(toleranceFor(surface, settings.planes), surface.is_cloud ? spacing : std::min(spacing, reach));
-  return mapByMirror(surface, plane, close, std::max(close, reach), sampled.threads);
+  return mapByMirror(surface, plane, close, std::max(close, reach));
 }
 
 /** The heights over the plane; what lies in it is on neither side. */

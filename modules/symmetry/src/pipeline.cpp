@@ -108,7 +108,7 @@ estimateInto(SymmetryResult& result,
   timer.start("quality", 0.85);
   MapSummary measured;
   if (!estimate.partners.empty()) {
-    measured = measureMap(prepared, estimate.partners, estimate.diameter, parameters.threads);
+    measured = measureMap(prepared, estimate.partners, estimate.diameter);
     const float twins = shareOfTwinParts(prepared, estimate.partners);
     result.confidence = std::min({result.confidence, confidenceBound(measured), twins});
   }

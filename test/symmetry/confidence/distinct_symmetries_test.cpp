@@ -1,5 +1,6 @@
 #include "support/coarse_body.h"
 #include "support/symmetric_shapes.h"
+#include "support/with_threads.h"
 #include "symmetry/confidence/distinct_symmetries.h"
 #include "symmetry/confidence/map_confidence.h"
 
@@ -24,9 +25,9 @@ analyse(const Surface& mesh, std::size_t most = 10)
   shape.body.surface = preparedMesh(mesh);
   shape.body.coarse = coarsenSurface(shape.body.surface, 1000);
   shape.body.basis = laplacianBasis(shape.body.coarse, 50);
-  shape.body.landmarks = makeLandmarkSurface(shape.body.coarse, 400, Metric::Geodesic, 2);
+  shape.body.landmarks = withThreads(2, [&] { return makeLandmarkSurface(shape.body.coarse, 400, Metric::Geodesic); });
   const SearchSettings settings;
-  const SampledSurface sampled = shape.body.sampled(2);
+  const SampledSurface sampled = shape.body.sampled();
   const std::vector<SymmetryCandidate> candidates = searchSymmetries(sampled, settings);
   shape.found = distinctSymmetries(sampled.landmarks, sampled.descriptor, candidates, settings, most);
   return shape;

@@ -52,7 +52,7 @@ ellipsoid()
     result.surface = preparedMesh(scaled(sphereMesh(5), {1.0F, 0.7F, 0.45F}));
     result.coarse = coarsenSurface(result.surface, 700);
     result.basis = laplacianBasis(result.coarse, 40);
-    result.landmarks = makeLandmarkSurface(result.coarse, 250, Metric::Geodesic, 1);
+    result.landmarks = makeLandmarkSurface(result.coarse, 250, Metric::Geodesic);
     return result;
   }();
   return body;

@@ -55,8 +55,8 @@ std::vector<Index>
 SampleRefinement::spectralPartners(const SymmetryCandidate& candidate) const
 {
   const Eigen::MatrixXf functions = sampled_.basis.functions.leftCols(candidate.matrix.cols());
-  SampleMap map = nearestRows(functions * candidate.matrix, functions, sampled_.threads);
-  const Eigen::MatrixXf matrix = upward_.refine(map, sampled_.threads);
+  SampleMap map = nearestRows(functions * candidate.matrix, functions);
+  const Eigen::MatrixXf matrix = upward_.refine(map);
   return partnersOfSamples(sampled_, map, matrix);
 }
 
