@@ -1,5 +1,6 @@
 // Misuse of the class ends in an exception of pcl/exceptions.h that says what is wrong.
 #include "support/known_body.h"
+#include "support/messages.h"
 #include "support/pcl_input.h"
 #include "support/temporary_folder.h"
 

@@ -30,7 +30,7 @@ randomPoints(std::size_t count)
 TEST(NeighbourSearch, FindsTheNearestPointsInOrder)
 {
   const std::vector<Vector3> points = randomPoints(700);
-  const NeighbourLists lists = withThreads(2, [&] { return searchByKdTree(points, 6); });
+  const NeighbourLists lists = test::withThreads(2, [&] { return searchByKdTree(points, 6); });
   ASSERT_EQ(lists.k, 6U);
   ASSERT_EQ(lists.neighbours.size(), 6 * points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -48,7 +48,8 @@ TEST(NeighbourSearch, FindsTheNearestPointsInOrder)
 TEST(NeighbourSearch, IsTheSameForAnyNumberOfThreads)
 {
   const std::vector<Vector3> points = randomPoints(2000);
-  EXPECT_EQ(searchByKdTree(points, 8).neighbours, withThreads(5, [&] { return searchByKdTree(points, 8); }).neighbours);
+  EXPECT_EQ(searchByKdTree(points, 8).neighbours,
+            test::withThreads(5, [&] { return searchByKdTree(points, 8); }).neighbours);
 }
 
 TEST(NeighbourSearch, MoreNeighboursThanPointsAreAllOfThem)

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "support/known_body.h"
+#include "support/prepared.h"
 #include "symmetry/samples/sample_map.h"
 #include "symmetry/samples/sampled_surface.h"
-#include "symmetry/surface/surface_preparation.h"
 
 namespace pcl {
 namespace symmetry {
@@ -47,12 +47,6 @@ struct CoarseBody {
     return map;
   }
 };
-
-inline PreparedSurface
-preparedMesh(const Surface& mesh)
-{
-  return prepareSurface(mesh, SymmetryParameters{}, NeighbourSearch{});
-}
 
 /** \brief 700 samples, 250 of them landmarks, 40 eigenfunctions. */
 inline CoarseBody
