@@ -1,4 +1,5 @@
 #include "support/coarse_body.h"
+#include "support/landmark_maps.h"
 #include "support/symmetric_shapes.h"
 #include "support/with_threads.h"
 #include "symmetry/confidence/distinct_symmetries.h"
@@ -43,20 +44,11 @@ rigidMap(const LandmarkSurface& landmarks, bool reflect, double turn)
   }
   const auto c = static_cast<float>(std::cos(turn));
   const auto s = static_cast<float>(std::sin(turn));
-  SampleMap map;
-  for (const Vector3& p : landmarks.points) {
+  return mapOf(landmarks, [&](const Vector3& p) {
     const float x = (reflect ? -1.0F : 1.0F) * (p[0] - centre[0]);
     const float z = p[2] - centre[2];
-    const Vector3 image{centre[0] + c * x + s * z, p[1], centre[2] - s * x + c * z};
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < landmarks.size(); ++i) {
-      if (distance(landmarks.points[i], image) < distance(landmarks.points[nearest], image)) {
-        nearest = i;
-      }
-    }
-    map.push_back(static_cast<Index>(nearest));
-  }
-  return map;
+    return Vector3{centre[0] + c * x + s * z, p[1], centre[2] - s * x + c * z};
+  });
 }
 
 /** How many of the known maps are among the found ones. */
