@@ -151,7 +151,7 @@ PatchAlignment::wantedPlaces(const std::vector<Index>& partners) const
 Index
 PatchAlignment::nearestFacing(Index partner, const WantedPlace& wanted) const
 {
-  const float turn_cost = 8.0F * spacing_ * spacing_;
+  const float turn_cost = 8.0F * spacing_ * spacing_; // a right angle costs like 2.8 spacings; by hand
   const auto cost = [&](Index v) {
     const Vector3 off = surface_.points[v] - wanted.place;
     return dot(off, off) + turn_cost * (1.0F - dot(wanted.normal, surface_.normals[v]));

@@ -29,7 +29,7 @@ float
 logMisfit(const PatchFit& fit)
 {
   constexpr float least_distance = 2e-3F; // sampling noise
-  constexpr float least_turn = 0.01F;
+  constexpr float least_turn = 0.01F;     // the same: 8 degrees
   return 0.5F * std::log(fit.distance + least_distance) + std::log(fit.turn + least_turn);
 }
 

@@ -135,8 +135,8 @@ private:
   std::vector<Index>
   reflectedLandmarks(const SampleMap& map) const
   {
-    constexpr float far = 0.15F;
-    constexpr float near = 0.04F;
+    constexpr float far = 0.15F;  // shares of the diameter, chosen by hand: clearly moved,
+    constexpr float near = 0.04F; // and come back to the place or a landmark beside it
     constexpr std::size_t maximum_anchors = 60;
     std::vector<Index> anchors;
     for (std::size_t i = 0; i < map.size() && anchors.size() < maximum_anchors; ++i) {
