@@ -111,14 +111,16 @@ describeOptions(Options& options)
                "drop points whose neighbours are farther than the mean by D standard deviations, too", Default::Hidden);
 
   OptionGroup general("General");
-  general.word("format", options.format, "FORMAT", "of INPUT where its name does not tell: pcd, ply, obj, off or stl");
+  general.word("format", options.format, "FORMAT",
+               "of INPUT where its name does not tell: pcd, ply, obj, off, stl, vtk, xyz");
   general.flag("quiet,q", options.quiet, "no progress, no summary");
 
   CommandLine line(program,
                    "pcl_intrinsic_symmetry INPUT [options]\n\n"
                    "Finds the symmetric partner of each point of a surface, the two sides and the axis between them.\n"
-                   "INPUT is a .pcd, .ply, .obj, .off or .stl file, or such a file compressed (.gz). The name - is\n"
-                   "standard input, with --format, and for --map, --correspondences and --report standard output.\n",
+                   "INPUT is a .pcd, .ply, .obj, .off, .stl, .vtk or .xyz (.txt, .asc, .pts) file, or such a file\n"
+                   "compressed (.gz). The name - is standard input, with --format, and for --map, --correspondences "
+                   "and --report standard output.\n",
                    "\nExit status: 0 done, 1 cannot read, write or compute, 2 wrong usage, 3 no symmetry found.\n");
   line.add(output);
   line.add(method);
@@ -137,9 +139,9 @@ checkOptions(const Options& options)
   checkEnding("axis", options.outputs.axis, {".ply", ".pcd", ".csv"});
   checkEnding("picture", options.outputs.picture, {".png"});
   checkDistinct(options.outputs.all(), {options.input});
-  const std::vector<std::string> formats = {"", "pcd", "ply", "obj", "off", "stl"};
+  const std::vector<std::string> formats = {"", "pcd", "ply", "obj", "off", "stl", "vtk", "xyz"};
   if (std::find(formats.begin(), formats.end(), options.format) == formats.end())
-    throw UsageError("--format is pcd, ply, obj, off or stl, not '" + options.format + "'");
+    throw UsageError("--format is pcd, ply, obj, off, stl, vtk or xyz, not '" + options.format + "'");
   if (options.input == standard_stream && options.format.empty())
     throw UsageError("standard input needs --format");
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
 
 namespace {
 

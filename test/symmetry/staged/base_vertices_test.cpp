@@ -92,7 +92,7 @@ TEST_F(BaseVerticesTest, DoNotDependOnTheNumberOfThreads)
   std::vector<SymmetricMatch> pairs = pairsOf(1, 9);
   std::vector<SymmetricMatch> again = pairs;
   base_.addPairs(pairs);
-  withThreads(3, [&] { shared.addPairs(again); });
+  test::withThreads(3, [&] { shared.addPairs(again); });
   const std::vector<Index> all = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
   EXPECT_EQ(base_.features(all, Side::Source, FeatureSet::OwnEndpointsAndMidpoints).values,
             shared.features(all, Side::Source, FeatureSet::OwnEndpointsAndMidpoints).values);

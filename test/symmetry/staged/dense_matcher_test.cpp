@@ -119,7 +119,7 @@ TEST(DenseMatcher, DoesNotDependOnTheNumberOfThreadsOrTheOrderOfQueries)
   const std::vector<float> floors = featureFloors(candidates);
   const DenseMatcher matcher(candidates, floors);
   const std::vector<FeatureMatch> matches = matcher.match(queries);
-  expectEqual(withThreads(4, [&] { return matcher.match(queries); }), matches);
+  expectEqual(test::withThreads(4, [&] { return matcher.match(queries); }), matches);
 
   FeatureVectors reversed;
   reversed.dimensions = queries.dimensions;
