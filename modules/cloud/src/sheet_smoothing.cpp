@@ -148,8 +148,8 @@ everyFew(const std::vector<Vector3>& points, std::size_t count)
   return chosen;
 }
 
-/** Median thickness of neighbourhoods over their radius; a ball has 0.33. */
-float
+/** Thickness of neighbourhoods over their radius; a ball has 0.33. */
+std::vector<float>
 relativeThickness(const std::vector<Vector3>& points, float radius)
 {
   const PointGrid grid(points, radius);
@@ -159,7 +159,7 @@ relativeThickness(const std::vector<Vector3>& points, float radius)
     gatherAround(points, grid, place, radius, around);
     thickness.push_back(fitPlane(CoordinateRows(around), place, radius).thickness / radius);
   }
-  return median(std::move(thickness));
+  return thickness;
 }
 
 /** Number of points within a radius that nine of ten neighbourhoods have. */
@@ -239,10 +239,11 @@ findSmoothing(const std::vector<Vector3>& points, float spacing)
   float flattest = std::numeric_limits<float>::infinity();
   for (float radius = settings.first_radius * spacing; radius > 0.0F && radius < settings.maximum_radius;
        radius *= settings.radius_step) {
-    const float thickness = relativeThickness(points, radius);
-    if (best.radius == 0.0F && thickness < settings.flat) {
+    std::vector<float> all = relativeThickness(points, radius);
+    if (best.radius == 0.0F && quantile(all, settings.flat_share) < settings.flat) {
       return {};
     }
+    const float thickness = median(std::move(all));
     if (thickness < flattest) {
       flattest = thickness;
       const float smoothing_radius = std::max(settings.certain_radius * radius, settings.minimum_spacings * spacing);
