@@ -78,8 +78,8 @@ closeGaps(PlaneReflection plane,
 {
   for (int round = 0; round < rounds; ++round) {
     const float part = static_cast<float>(round) / static_cast<float>(std::max(1, rounds - 1));
-    const float scale = settings.first_scale * std::pow(settings.last_scale / settings.first_scale, part);
-    AlignmentStep step(plane, diagonal * scale);
+    AlignmentStep step(plane,
+                       diagonal * settings.first_scale * std::pow(settings.last_scale / settings.first_scale, part));
     for (std::size_t i = 0; i < std::min(sources, samples.size()); ++i) {
       if (const std::optional<Gap> found = gap(plane, i, plane.image(samples.points[i]))) {
         step.add(samples.points[i], samples.areas[i], toEigen(found->vector), found->metric);
