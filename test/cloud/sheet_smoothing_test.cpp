@@ -29,6 +29,19 @@ TEST(Smoothing, OfACloudWithoutNoiseStaysNone)
   EXPECT_EQ(withLeastRadius(none, 0.02F).least_radius, 0.0F);
 }
 
+/** Two thirds of the points lie in two sheets less than a spacing apart, as of a curled body: noise would be everywhere.
+ */
+TEST(Smoothing, OfSheetsInContactStaysNone)
+{
+  constexpr float spacing = 0.02F;
+  std::vector<Vector3> points = noisySquare(3000, 0.0F, 0.0F, 0.5F, 5);
+  std::vector<Vector3> above = noisySquare(1500, 0.6F * spacing, 0.0F, 0.0F, 6); // over the left half
+  points.insert(points.end(), above.begin(), above.end());
+  EXPECT_EQ(findSmoothing(points, spacing).radius, 0.0F);
+  std::vector<Vector3> noisy = noisySquare(4500, 0.0F, 0.3F * spacing, 0.5F, 7);
+  EXPECT_GT(findSmoothing(noisy, spacing).radius, 0.0F);
+}
+
 TEST(Smoothing, WithLeastRadiusFollowsTheDensity)
 {
   const Smoothing even{0.06F, 0.06F, 0.02F, 0.01F};
