@@ -86,5 +86,12 @@ private:
   std::vector<Index> order_;     ///< points of the entries, ascending within a cube
 };
 
+/** \brief The edge of cubes of which 27 hold at most \a most points on average: \a cell, or less where points are crowded.
+ *
+ * For searches among the samples of what should be a surface. Points that fill space or lie tangled are as near to each
+ * other as ever, but have neighbours so far off that any number of points comes to lie within the distance of those. */
+float
+uncrowdedCell(const std::vector<Vector3>& points, float cell, std::size_t most);
+
 } // namespace symmetry
 } // namespace pcl

@@ -212,4 +212,34 @@ TEST(PointGrid, VisitsNothingWhereThereIsNothing)
   EXPECT_TRUE(visited(PointGrid({{0.5F, 0.5F, 0.5F}}, 0.1F), {-0.5F, 0.5F, 0.5F}).empty());
 }
 
+double
+meanVisited(const std::vector<Vector3>& points, float cell)
+{
+  const PointGrid grid(points, cell);
+  std::size_t count = 0;
+  for (const Vector3& p : points) {
+    count += visited(grid, p).size();
+  }
+  return static_cast<double>(count) / static_cast<double>(points.size());
+}
+
+TEST(UncrowdedCell, IsTheGivenOneWhereThereIsRoom)
+{
+  EXPECT_EQ(uncrowdedCell(randomPoints(3000, -1.0F, 1.0F, 3), 0.1F, 100), 0.1F);
+}
+
+TEST(UncrowdedCell, IsAsLargeAsTheCrowdAllows)
+{
+  const std::vector<Vector3> points = randomPoints(3000, -1.0F, 1.0F, 3);
+  ASSERT_GT(meanVisited(points, 0.8F), 100.0);
+  const float cell = uncrowdedCell(points, 0.8F, 100);
+  EXPECT_LE(meanVisited(points, cell), 100.0);
+  EXPECT_GT(meanVisited(points, 1.3F * cell), 100.0);
+}
+
+TEST(UncrowdedCell, IsNotSearchedForEverWhereAllPointsAreOne)
+{
+  EXPECT_GT(uncrowdedCell(std::vector<Vector3>(500), 1.0F, 100), 0.005F);
+}
+
 } // namespace
