@@ -55,6 +55,13 @@ public:
     }
   }
 
+  /** \brief All points, in the order in which visits meet them. */
+  const std::vector<Index>&
+  order() const
+  {
+    return order_;
+  }
+
 private:
   using Key = std::uint64_t;
 
