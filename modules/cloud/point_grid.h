@@ -5,8 +5,10 @@
 
 #include <pcl/symmetry/surface.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 namespace pcl {
@@ -32,6 +34,30 @@ public:
         const auto [begin, end] = row({centre[0] - 1, centre[1] + y, centre[2] + z}, centre[0] + 1);
         for (std::size_t i = begin; i < end; ++i) {
           visit(order_[i]);
+        }
+      }
+    }
+  }
+
+  /** \brief Calls visit (i) for the points around a place, those of the nearest cubes first, until all that are left are
+   * farther than what the last call of visit () returned, at first \a reach. */
+  template <typename Visit>
+  void
+  visitNearest(const Vector3& place, float reach, Visit visit) const
+  {
+    const std::array<std::int64_t, 3> centre = cube(place);
+    for (std::int64_t ring = 0; ring <= 1 || static_cast<float>(ring - 1) <= reach * inverse_cell_; ++ring) {
+      for (std::int64_t z = -ring; z <= ring; ++z) {
+        for (std::int64_t y = -ring; y <= ring; ++y) {
+          const bool is_side = std::max(std::abs(y), std::abs(z)) == ring;
+          // Of a row that runs through the ring only its ends belong to it.
+          for (std::int64_t x = -ring; x <= ring; x += is_side || ring == 0 ? 2 * ring + 1 : 2 * ring) {
+            const auto [begin, end] =
+                row({centre[0] + x, centre[1] + y, centre[2] + z}, centre[0] + (is_side ? ring : x));
+            for (std::size_t i = begin; i < end; ++i) {
+              reach = visit(order_[i]);
+            }
+          }
         }
       }
     }
