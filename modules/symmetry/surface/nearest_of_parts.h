@@ -35,7 +35,10 @@ public:
   void
   setOrder(const std::vector<Index>& order);
 
-  /** \brief Nearest points of all parts outside a group, no farther than \a reach away, in no particular order.
+  static constexpr std::size_t most_parts = 64;
+
+  /** \brief Nearest points of all parts outside a group, no farther than \a reach away, in no particular order; of the
+   * nearest \a most_parts parts if there are more.
    * \param[in] group_of of every part */
   const std::vector<Found>&
   search(const Vector3& place, const std::vector<Index>& group_of, Index group, float reach);
@@ -54,7 +57,7 @@ private:
     const Vector3& place;
     const std::vector<Index>& group_of;
     Index group;
-    float reach;
+    float reach; ///< less as soon as there are parts enough
   };
 
   void
@@ -67,10 +70,13 @@ private:
   isOfUse(const Node& node, const Query& query) const;
 
   void
-  visit(const Node& node, const Query& query);
+  visit(const Node& node, Query& query);
 
   void
-  offer(Index point, const Query& query);
+  offer(Index point, Query& query);
+
+  void
+  keepNearest(Query& query);
 
   const std::vector<Vector3>& points_;
   const std::vector<Index>& part_of_;

@@ -84,10 +84,11 @@ NearestOfParts::search(const Vector3& place, const std::vector<Index>& group_of,
     place_in_found_[old.part] = no_index;
   }
   found_.clear();
-  const Query query{place, group_of, group, reach};
+  Query query{place, group_of, group, reach};
   if (isOfUse(nodes_.front(), query)) {
     visit(nodes_.front(), query);
   }
+  keepNearest(query);
   return found_;
 }
 
@@ -125,7 +126,7 @@ NearestOfParts::isOfUse(const Node& node, const Query& query) const
 }
 
 void
-NearestOfParts::visit(const Node& node, const Query& query)
+NearestOfParts::visit(const Node& node, Query& query)
 {
   if (node.children == 0) {
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
@@ -146,7 +147,7 @@ NearestOfParts::visit(const Node& node, const Query& query)
 }
 
 void
-NearestOfParts::offer(Index point, const Query& query)
+NearestOfParts::offer(Index point, Query& query)
 {
   const Index part = part_of_[point];
   if (query.group_of[part] == query.group) {
@@ -160,6 +161,9 @@ NearestOfParts::offer(Index point, const Query& query)
   if (known == no_index) {
     known = static_cast<Index>(found_.size());
     found_.push_back({part, point, apart, 1});
+    if (found_.size() >= 4 * most_parts) {
+      keepNearest(query);
+    }
     return;
   }
   Found& best = found_[known];
@@ -168,6 +172,25 @@ NearestOfParts::offer(Index point, const Query& query)
     best.point = point;
     best.distance = apart;
   }
+}
+
+/** Forgets all but the nearest parts. */
+void
+NearestOfParts::keepNearest(Query& query)
+{
+  if (found_.size() <= most_parts) {
+    return;
+  }
+  const auto first_left_out = found_.begin() + static_cast<std::ptrdiff_t>(most_parts);
+  std::nth_element(found_.begin(), first_left_out - 1, found_.end(), [](const Found& a, const Found& b) {
+    return a.distance < b.distance || (a.distance == b.distance && a.part < b.part);
+  });
+  std::for_each(first_left_out, found_.end(), [this](const Found& found) { place_in_found_[found.part] = no_index; });
+  found_.erase(first_left_out, found_.end());
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    place_in_found_[found_[i].part] = static_cast<Index>(i);
+  }
+  query.reach = found_.back().distance;
 }
 
 } // namespace symmetry
