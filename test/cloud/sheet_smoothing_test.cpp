@@ -48,7 +48,7 @@ TEST(MoveToSheets, WidensNeighbourhoodsWherePointsAreSparse)
   constexpr float noise = 0.01F;
   const std::vector<Vector3> points = noisySquare(30000, 0.0F, noise, 0.95F, 3);
   const Smoothing smoothing{0.1F, 0.03F, 0.04F, 0.005F};
-  const SheetPlaces sheets = moveToSheets(points, points, smoothing, 1);
+  const SheetPlaces sheets = moveToSheets(points, points, smoothing);
   ASSERT_EQ(sheets.places.size(), points.size());
   double error[2] = {0.0, 0.0};
   double gap[2] = {0.0, 0.0};
@@ -81,7 +81,7 @@ TEST(MoveToSheets, SmallNeighbourhoodsKeepABumpThatLargeOnesLevel)
   }
   const auto top = [&](float least_radius) {
     const SheetPlaces sheets =
-        moveToSheets({{0.0F, 0.0F, height}}, points, Smoothing{0.12F, least_radius, 0.1F, 0.005F}, 1);
+        moveToSheets({{0.0F, 0.0F, height}}, points, Smoothing{0.12F, least_radius, 0.1F, 0.005F});
     return sheets.places[0][2];
   };
   EXPECT_GT(top(0.03F), 0.85F * height);

@@ -1,5 +1,6 @@
 #include "base/vector_math.h"
 #include "neighbour_search.h"
+#include "support/with_threads.h"
 
 #include <gtest/gtest.h>
 #include <pcl/kdtree/kdtree_flann.h>
@@ -33,7 +34,7 @@ randomPoints(std::size_t count)
 TEST(NeighbourSearch, FindsTheNearestPointsInOrder)
 {
   const std::vector<Vector3> points = randomPoints(700);
-  const NeighbourLists lists = searchByKdTree(points, 6, 2);
+  const NeighbourLists lists = test::withThreads(2, [&] { return searchByKdTree(points, 6); });
   ASSERT_EQ(lists.k, 6U);
   ASSERT_EQ(lists.neighbours.size(), 6 * points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -60,7 +61,7 @@ TEST(NeighbourSearch, AnswersAsPclDoes)
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
   tree.setInputCloud(cloud);
   for (const std::size_t k : {1U, 8U, 250U, 251U, 256U}) { // FLANN keeps more than 250 another way
-    const NeighbourLists lists = searchByKdTree(points, static_cast<int>(k), 3);
+    const NeighbourLists lists = test::withThreads(3, [&] { return searchByKdTree(points, static_cast<int>(k)); });
     ASSERT_EQ(lists.k, k);
     for (std::size_t i = 0; i < points.size(); ++i) {
       pcl::Indices expected;
@@ -75,16 +76,17 @@ TEST(NeighbourSearch, AnswersAsPclDoes)
 TEST(NeighbourSearch, IsTheSameForAnyNumberOfThreads)
 {
   const std::vector<Vector3> points = randomPoints(2000);
-  EXPECT_EQ(searchByKdTree(points, 8, 1).neighbours, searchByKdTree(points, 8, 5).neighbours);
+  EXPECT_EQ(searchByKdTree(points, 8).neighbours,
+            test::withThreads(5, [&] { return searchByKdTree(points, 8); }).neighbours);
 }
 
 TEST(NeighbourSearch, MoreNeighboursThanPointsAreAllOfThem)
 {
-  const NeighbourLists lists = searchByKdTree(randomPoints(4), 10, 1);
+  const NeighbourLists lists = searchByKdTree(randomPoints(4), 10);
   EXPECT_EQ(lists.k, 4U);
   EXPECT_EQ(lists.neighbours.size(), 16U);
   EXPECT_EQ(std::count(lists.neighbours.begin(), lists.neighbours.end(), no_index), 0);
-  EXPECT_TRUE(searchByKdTree({}, 10, 1).neighbours.empty());
+  EXPECT_TRUE(searchByKdTree({}, 10).neighbours.empty());
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // Whichever allocation fails, in whichever thread: the caller gets std::bad_alloc, and the process goes on.
 #include "model/articulated_body.h"
 #include "neighbour_search.h"
+#include "support/with_threads.h"
 
 #include <pcl/symmetry/symmetry.h>
 
@@ -126,7 +127,7 @@ estimate(const Surface& surface)
 {
   SymmetryParameters parameters;
   parameters.threads = 4;
-  parameters.samples = 300; // less to do
+  parameters.robust.samples = 300; // less to do
   const SymmetryResult result = estimateIntrinsicSymmetry(surface, parameters);
   EXPECT_TRUE(hasMap(result.status) || result.status == SymmetryStatus::NoSymmetry);
 }
@@ -155,7 +156,7 @@ TEST(OutOfMemory, IsAnExceptionWhereverItHappensToACloud)
 TEST(OutOfMemory, IsAnExceptionWhereverItHappensInTheNeighbourSearch)
 {
   const Surface cloud = smallBody();
-  expectExceptions([&cloud] { searchByKdTree(cloud.points, 8, 3); });
+  expectExceptions([&cloud] { test::withThreads(3, [&cloud] { return searchByKdTree(cloud.points, 8); }); });
 }
 
 } // namespace

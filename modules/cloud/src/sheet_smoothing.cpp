@@ -148,8 +148,8 @@ everyFew(const std::vector<Vector3>& points, std::size_t count)
   return chosen;
 }
 
-/** Median thickness of neighbourhoods over their radius; a ball has 0.33. */
-float
+/** Thickness of neighbourhoods over their radius; a ball has 0.33. */
+std::vector<float>
 relativeThickness(const std::vector<Vector3>& points, float radius)
 {
   const PointGrid grid(points, radius);
@@ -159,7 +159,7 @@ relativeThickness(const std::vector<Vector3>& points, float radius)
     gatherAround(points, grid, place, radius, around);
     thickness.push_back(fitPlane(CoordinateRows(around), place, radius).thickness / radius);
   }
-  return median(std::move(thickness));
+  return thickness;
 }
 
 /** Number of points within a radius that nine of ten neighbourhoods have. */
@@ -239,10 +239,11 @@ findSmoothing(const std::vector<Vector3>& points, float spacing)
   float flattest = std::numeric_limits<float>::infinity();
   for (float radius = settings.first_radius * spacing; radius > 0.0F && radius < settings.maximum_radius;
        radius *= settings.radius_step) {
-    const float thickness = relativeThickness(points, radius);
-    if (best.radius == 0.0F && thickness < settings.flat) {
+    std::vector<float> all = relativeThickness(points, radius);
+    if (best.radius == 0.0F && quantile(all, settings.flat_share) < settings.flat) {
       return {};
     }
+    const float thickness = median(std::move(all));
     if (thickness < flattest) {
       flattest = thickness;
       const float smoothing_radius = std::max(settings.certain_radius * radius, settings.minimum_spacings * spacing);
@@ -271,10 +272,7 @@ withLeastRadius(Smoothing smoothing, float spacing)
 }
 
 SheetPlaces
-moveToSheets(std::vector<Vector3> places,
-             const std::vector<Vector3>& points,
-             const Smoothing& smoothing,
-             unsigned threads)
+moveToSheets(std::vector<Vector3> places, const std::vector<Vector3>& points, const Smoothing& smoothing)
 {
   constexpr float pi = 3.14159265F;
   SheetPlaces sheets;
@@ -287,7 +285,7 @@ moveToSheets(std::vector<Vector3> places,
   const std::vector<Vector3> thinned = everyFew(points, points.size() / times_enough);
   const Neighbourhoods neighbourhoods(thinned, smoothing);
   constexpr std::size_t grain = 64;
-  parallelBlocks(sheets.places.size(), grain, threads, [&] {
+  parallelBlocks(sheets.places.size(), grain, [&] {
     return [&, around = std::vector<Vector3>(), rows = CoordinateRows()](std::size_t begin, std::size_t end) mutable {
       for (std::size_t v = begin; v < end; ++v) {
         const float radius = neighbourhoods.gather(sheets.places[v], around);

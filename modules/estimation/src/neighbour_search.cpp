@@ -17,11 +17,11 @@ using KdTree = flann::KDTreeSingleIndex<flann::L2_Simple<float>>;
  * which an exception (out of memory) would end the process. */
 template <typename ResultSet>
 void
-searchAll(const KdTree& tree, const std::vector<Vector3>& points, unsigned threads, NeighbourLists& lists)
+searchAll(const KdTree& tree, const std::vector<Vector3>& points, NeighbourLists& lists)
 {
   constexpr std::size_t grain = 512;
   const flann::SearchParams unlimited(flann::FLANN_CHECKS_UNLIMITED);
-  parallelBlocks(points.size(), grain, threads, [&] {
+  parallelBlocks(points.size(), grain, [&] {
     return [&, results = ResultSet(lists.k), found = std::vector<std::size_t>(lists.k),
             squared_distances = std::vector<float>(lists.k)](std::size_t begin, std::size_t end) mutable {
       for (std::size_t i = begin; i < end; ++i) {
@@ -40,7 +40,7 @@ searchAll(const KdTree& tree, const std::vector<Vector3>& points, unsigned threa
 } // namespace
 
 NeighbourLists
-searchByKdTree(const std::vector<Vector3>& points, int k, unsigned threads)
+searchByKdTree(const std::vector<Vector3>& points, int k)
 {
   NeighbourLists lists;
   lists.k = std::min(static_cast<std::size_t>(k), points.size());
@@ -55,10 +55,10 @@ searchByKdTree(const std::vector<Vector3>& points, int k, unsigned threads)
               flann::KDTreeSingleIndexParams(points_per_leaf));
   tree.buildIndex();
   if (lists.k > KNN_HEAP_THRESHOLD) {
-    searchAll<flann::KNNResultSet2<float>>(tree, points, threads, lists);
+    searchAll<flann::KNNResultSet2<float>>(tree, points, lists);
   }
   else {
-    searchAll<flann::KNNSimpleResultSet<float>>(tree, points, threads, lists);
+    searchAll<flann::KNNSimpleResultSet<float>>(tree, points, lists);
   }
   return lists;
 }

@@ -84,7 +84,7 @@ PatchFitting::settled(const SurfacePatch& patch, const RigidReflection& reflecti
 Index
 PatchFitting::nearestFacing(const Vector3& place, const Vector3& normal) const
 {
-  const float turn_cost = 8.0F * spacing_ * spacing_;
+  const float turn_cost = 8.0F * spacing_ * spacing_; // a right angle costs like 2.8 spacings; by hand
   Index best = no_index;
   float least = std::numeric_limits<float>::infinity();
   grid_.visitAround(place, [&](Index i) {
