@@ -92,6 +92,9 @@ closeGaps(PlaneReflection plane,
 
 } // namespace
 
+/** Cubes are smaller than the reach by so much: where points are crowded few of them are met. */
+constexpr float fineness = 4.0F;
+
 PointAlignment::PointAlignment(const AreaSamples& samples,
                                const AlignmentTargets& targets,
                                const AlignmentSettings& settings,
@@ -100,7 +103,7 @@ PointAlignment::PointAlignment(const AreaSamples& samples,
       targets_(targets),
       settings_(settings),
       diagonal_(diagonal),
-      grid_(targets.points, settings.reach * diagonal)
+      grid_(targets.points, settings.reach * diagonal / fineness)
 {
 }
 
@@ -125,12 +128,13 @@ PointAlignment::nearestTarget(const Vector3& place) const
 {
   Index best = no_index;
   float least = settings_.reach * diagonal_;
-  grid_.visitAround(place, [&](Index v) {
+  grid_.visitNearest(place, least, [&](Index v) {
     const float apart = distance(targets_.points[v], place);
-    if (apart < least) {
+    if (apart < least || (apart == least && v < best)) {
       least = apart;
       best = v;
     }
+    return least;
   });
   return best;
 }
