@@ -61,6 +61,7 @@ struct Options {
   std::string reference; ///< labelled surface that the sides are named like; empty: none
   Outputs outputs;
   SymmetryParameters parameters;
+  int samples = 0; ///< of the method that is chosen; 0: its default
   bool as_cloud = false;
   bool require_whole = false;
   bool quiet = false;
@@ -93,15 +94,16 @@ describeOptions(Options& options)
   method.flag("sparse", parameters.sparse_only, "leave out the dense map and alternatives");
   method.choice("label-axis", parameters.label_axis, switch_names,
                 "on, or off: points at the axis are labelled as on one of the sides");
-  method.number("landmarks", parameters.landmarks, "N",
+  method.number("landmarks", parameters.staged.landmarks, "N",
                 "of the staged method: sources of full distance fields, 10 to 1000");
-  method.number("samples", parameters.samples, "N",
-                "evenly spaced samples, 30 (staged: 20) to 20000; 0: the method's default");
+  method.number("samples", options.samples, "N",
+                "evenly spaced samples of the method, 30 (staged: 20) to 20000; 0: 1500 (staged: 100)",
+                Default::Hidden);
   method.number("alternatives", parameters.alternatives, "N",
                 "list up to N reflections, and apart from them the rotations, in the report");
-  method.choice("extremities", parameters.extremities, extreme_points_names,
+  method.choice("extremities", parameters.staged.extremities, extreme_points_names,
                 "of the staged method: the limbs' tips are two pairs among nine farthest points, or the first four");
-  method.choice("pairing", parameters.pairing, pairing_names, "what pairs the first four: agd, mgd or size");
+  method.choice("pairing", parameters.staged.pairing, pairing_names, "what pairs the first four: agd, mgd or size");
   method.count("threads", parameters.threads, thread_limit, "0: one per core");
 
   OptionGroup cloud("Clouds");
@@ -114,14 +116,16 @@ describeOptions(Options& options)
                "drop points whose neighbours are farther than the mean by D standard deviations, too", Default::Hidden);
 
   OptionGroup general("General");
-  general.word("format", options.format, "FORMAT", "of INPUT where its name does not tell: pcd, ply, obj, off or stl");
+  general.word("format", options.format, "FORMAT",
+               "of INPUT where its name does not tell: pcd, ply, obj, off, stl, vtk, xyz");
   general.flag("quiet,q", options.quiet, "no progress, no summary");
 
   CommandLine line(program,
                    "pcl_intrinsic_symmetry INPUT [options]\n\n"
                    "Finds the symmetric partner of each point of a surface, the two sides and the axis between them.\n"
-                   "INPUT is a .pcd, .ply, .obj, .off or .stl file, or such a file compressed (.gz). The name - is\n"
-                   "standard input, with --format, and for --map, --correspondences and --report standard output.\n",
+                   "INPUT is a .pcd, .ply, .obj, .off, .stl, .vtk or .xyz (.txt, .asc, .pts) file, or such a file\n"
+                   "compressed (.gz). The name - is standard input, with --format, and for --map, --correspondences "
+                   "and --report standard output.\n",
                    "\nExit status: 0 done, 1 cannot read, write or compute, 2 wrong usage, 3 no symmetry found.\n");
   line.add(output);
   line.add(method);
@@ -142,9 +146,9 @@ checkOptions(const Options& options)
   if (options.parameters.sparse_only && !options.reference.empty())
     throw UsageError("--like compares dense maps, which --sparse leaves out");
   checkDistinct(options.outputs.all(), {options.input, options.reference});
-  const std::vector<std::string> formats = {"", "pcd", "ply", "obj", "off", "stl"};
+  const std::vector<std::string> formats = {"", "pcd", "ply", "obj", "off", "stl", "vtk", "xyz"};
   if (std::find(formats.begin(), formats.end(), options.format) == formats.end())
-    throw UsageError("--format is pcd, ply, obj, off or stl, not '" + options.format + "'");
+    throw UsageError("--format is pcd, ply, obj, off, stl, vtk or xyz, not '" + options.format + "'");
   if (options.input == standard_stream && options.format.empty())
     throw UsageError("standard input needs --format");
 }
@@ -334,6 +338,7 @@ int
 runWith(Options& options, const CommandLine& line)
 {
   options.input = line.onlyWord("INPUT", "a file");
+  setSamples(options.parameters, options.samples);
   checkOptions(options);
   return run(options);
 }

@@ -37,7 +37,7 @@ sampledHuman(std::int64_t vertices)
   if (!result) {
     StepTimer timer;
     result = std::make_unique<SampledSurface>(
-        sampleSurface(human(vertices).surface, SamplingSettings{}, Metric::Geodesic, 1, timer));
+        sampleSurface(human(vertices).surface, SamplingSettings{}, Metric::Geodesic, timer));
   }
   return *result;
 }

@@ -101,13 +101,19 @@ def print_reliability(confidence, right):
             print(f"{low:.1f} to {low + 0.1:.1f} {inside.sum():6}   {100 * right[inside].mean():6.1f}")
 
 
-def main():
+def read_tables(usage):
+    """The rows of all tables of the command line, each with the name of its table."""
     if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
-        sys.exit(__doc__)
+        sys.exit(usage)
     rows = []
     for path in sys.argv[1:]:
         with open(path, newline="") as table:
             rows += [{**row, "table": path} for row in csv.DictReader(table)]
+    return rows
+
+
+def main():
+    rows = read_tables(__doc__)
     sets = np.array([row["set"] for row in rows])
     cut = np.array([row["cut"] == "1" for row in rows])
     right = np.array([float(row["rate"]) > RIGHT for row in rows]) & ~cut

@@ -8,23 +8,16 @@ clouds. A partner counts as right within 5 % of the diameter of the true one. On
 further ones are made of those in doubt alone. One data set at a time is left out; at the end are the weights of a fit
 to all, for PointCalibration in modules/symmetry/confidence/calibration.h, which holds the floors that are repeated here.
 """
-import csv
-import sys
 
 import numpy as np
 
-from calibrate_confidence import area_under_roc, fit_leaving_out, print_reliability, print_weights
+from calibrate_confidence import area_under_roc, fit_leaving_out, print_reliability, print_weights, read_tables
 
 RIGHT = 0.05
 
 
 def main():
-    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
-        sys.exit(__doc__)
-    rows = []
-    for path in sys.argv[1:]:
-        with open(path, newline="") as table:
-            rows += [row for row in csv.DictReader(table) if row["number"] == "0"]
+    rows = [row for row in read_tables(__doc__) if row["number"] == "0"]
 
     def column(name):
         return np.array([float(row[name]) for row in rows])

@@ -27,7 +27,7 @@ mirroredFeatures(const Human& body)
     }
   }
   const auto per_vertex = [&](const std::vector<Index>& sources) {
-    const DistanceFields fields = distanceFields(body.surface.graph, sources, 1);
+    const DistanceFields fields = distanceFields(body.surface.graph, sources);
     FeatureVectors vectors;
     vectors.dimensions = sources.size();
     for (std::size_t v = 0; v < fields.columns; ++v) {
@@ -47,7 +47,7 @@ denseMatching(benchmark::State& state)
   const MirroredFeatures features = mirroredFeatures(human(state.range(0)));
   const std::vector<float> floors = featureFloors(features.own);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(DenseMatcher(features.mirrored, floors).match(features.own, 1));
+    benchmark::DoNotOptimize(DenseMatcher(features.mirrored, floors).match(features.own));
   }
 }
 BENCHMARK(denseMatching)->Apply(onAllSizes);

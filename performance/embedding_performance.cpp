@@ -20,7 +20,7 @@ hubDistances(benchmark::State& state)
 {
   const CoarseSurface& coarse = sampledHuman(state.range(0)).coarse;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(makeLandmarkSurface(coarse, 600, Metric::Geodesic, 1));
+    benchmark::DoNotOptimize(makeLandmarkSurface(coarse, 600, Metric::Geodesic));
   }
 }
 BENCHMARK(hubDistances)->Apply(onAllSizes);

@@ -91,13 +91,13 @@ searchField(const SurfaceGraph& graph, Index source, float* field)
   std::copy(found.begin(), found.end(), field);
 }
 
-/** Runs field (source, row) for each source, on the threads of the second argument. */
+/** Runs field (source, row) for each source, on the threads of the scope. */
 template <typename Field>
 std::vector<float>
-fieldByField(const SurfaceGraph& graph, const std::vector<Index>& sources, unsigned threads, Field field)
+fieldByField(const SurfaceGraph& graph, const std::vector<Index>& sources, Field field)
 {
   std::vector<float> rows(sources.size() * graph.size());
-  parallelFor(sources.size(), threads, [&](std::size_t i) { field(sources[i], rows.data() + i * graph.size()); });
+  parallelFor(sources.size(), [&](std::size_t i) { field(sources[i], rows.data() + i * graph.size()); });
   return rows;
 }
 
@@ -105,44 +105,48 @@ fieldByField(const SurfaceGraph& graph, const std::vector<Index>& sources, unsig
 void
 bulkFields(benchmark::State& state)
 {
+  const ThreadScope threads(static_cast<unsigned>(state.range(1)));
   const SurfaceGraph& graph = human(state.range(0)).surface.graph;
   const std::vector<Index> sources = randomVertices(graph, bulk);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(distanceFields(graph, sources, static_cast<unsigned>(state.range(1))));
+    benchmark::DoNotOptimize(distanceFields(graph, sources));
   }
 }
 
 void
 bulkFieldsByBoost(benchmark::State& state)
 {
+  const ThreadScope threads(static_cast<unsigned>(state.range(1)));
   const SurfaceGraph& graph = human(state.range(0)).surface.graph;
   const std::vector<Index> sources = randomVertices(graph, bulk);
   for (auto _ : state) {
     const BoostGraph boost_graph = boostGraph(graph);
-    benchmark::DoNotOptimize(fieldByField(graph, sources, static_cast<unsigned>(state.range(1)),
-                                          [&](Index source, float* field) { boostField(boost_graph, source, field); }));
+    benchmark::DoNotOptimize(
+        fieldByField(graph, sources, [&](Index source, float* field) { boostField(boost_graph, source, field); }));
   }
 }
 
 void
 bulkFieldsByHeap(benchmark::State& state)
 {
+  const ThreadScope threads(static_cast<unsigned>(state.range(1)));
   const SurfaceGraph& graph = human(state.range(0)).surface.graph;
   const std::vector<Index> sources = randomVertices(graph, bulk);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(fieldByField(graph, sources, static_cast<unsigned>(state.range(1)),
-                                          [&](Index source, float* field) { heapField(graph, source, field); }));
+    benchmark::DoNotOptimize(
+        fieldByField(graph, sources, [&](Index source, float* field) { heapField(graph, source, field); }));
   }
 }
 
 void
 bulkFieldsBySearch(benchmark::State& state)
 {
+  const ThreadScope threads(static_cast<unsigned>(state.range(1)));
   const SurfaceGraph& graph = human(state.range(0)).surface.graph;
   const std::vector<Index> sources = randomVertices(graph, bulk);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(fieldByField(graph, sources, static_cast<unsigned>(state.range(1)),
-                                          [&](Index source, float* field) { searchField(graph, source, field); }));
+    benchmark::DoNotOptimize(
+        fieldByField(graph, sources, [&](Index source, float* field) { searchField(graph, source, field); }));
   }
 }
 
@@ -183,7 +187,7 @@ analysis(benchmark::State& state)
 {
   const SurfaceGraph& graph = human(state.range(0)).surface.graph;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(MinPlusFactor(graph, 1e30, 1));
+    benchmark::DoNotOptimize(MinPlusFactor(graph, 1e30));
   }
 }
 BENCHMARK(analysis)->Apply(onAllSizes);
@@ -192,9 +196,9 @@ void
 factorization(benchmark::State& state)
 {
   const SurfaceGraph& graph = human(state.range(0)).surface.graph;
-  MinPlusFactor factor(graph, 1e30, 1);
+  MinPlusFactor factor(graph, 1e30);
   for (auto _ : state) {
-    factor.factorize(1);
+    factor.factorize();
   }
 }
 BENCHMARK(factorization)->Apply(onAllSizes);
@@ -204,11 +208,11 @@ fieldsFromFactor(benchmark::State& state)
 {
   const SurfaceGraph& graph = human(state.range(0)).surface.graph;
   const std::vector<Index> sources = randomVertices(graph, bulk);
-  MinPlusFactor factor(graph, 1e30, 1);
-  factor.factorize(1);
+  MinPlusFactor factor(graph, 1e30);
+  factor.factorize();
   std::vector<float> rows(bulk * graph.size());
   for (auto _ : state) {
-    factor.fields(sources, rows.data(), 1);
+    factor.fields(sources, rows.data());
     benchmark::DoNotOptimize(rows.data());
   }
 }

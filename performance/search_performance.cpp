@@ -64,8 +64,8 @@ BENCHMARK(involution)->ArgName("functions")->Arg(14)->Arg(40)->Arg(60);
 void
 hypotheses(benchmark::State& state)
 {
-  SampledSurface sampled = sampledHuman(state.range(0));
-  sampled.threads = static_cast<unsigned>(state.range(1));
+  const SampledSurface sampled = sampledHuman(state.range(0));
+  const ThreadScope threads(static_cast<unsigned>(state.range(1)));
   for (auto _ : state) {
     benchmark::DoNotOptimize(searchSymmetries(sampled, {}));
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/heartbeat.h"
+#include "base/thread_scope.h"
 
 #include <algorithm>
 #include <atomic>
@@ -18,14 +19,6 @@
 
 namespace pcl {
 namespace symmetry {
-
-/** \brief Number of threads to use: \a requested, or one per core where it is 0; never more than there are items. */
-inline unsigned
-threadCount(unsigned requested, std::size_t items)
-{
-  const unsigned wanted = requested == 0 ? std::max(1U, std::thread::hardware_concurrency()) : requested;
-  return static_cast<unsigned>(std::min<std::size_t>(wanted, std::max<std::size_t>(items, 1)));
-}
 
 /** \brief Threads that are waited for, however the place is left. */
 class JoinedThreads {
@@ -73,7 +66,7 @@ private:
 };
 
 /** \brief Calls make_worker () once per thread and the worker it returns with every block [begin, end) of \a grain
- * items that falls to that thread.
+ * items that falls to that thread. There are as many threads as the innermost ThreadScope allows.
  *
  * Blocks are handed out as threads become free, so a worker must not let its result depend on which blocks it gets. The
  * first exception ends the loop and is thrown in the calling thread. Where no further thread can be had (a limit of the
@@ -81,13 +74,14 @@ private:
  */
 template <typename MakeWorker>
 void
-parallelBlocks(std::size_t items, std::size_t grain, unsigned threads, MakeWorker make_worker)
+parallelBlocks(std::size_t items, std::size_t grain, MakeWorker make_worker)
 {
   const std::size_t blocks = (items + grain - 1) / grain;
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failure_mutex;
   const auto work = [&] {
+    const ThreadScope one_thread(1);
     try {
       auto worker = make_worker();
       for (std::size_t block = next++; block < blocks; block = next++) {
@@ -102,7 +96,7 @@ parallelBlocks(std::size_t items, std::size_t grain, unsigned threads, MakeWorke
     }
   };
   JoinedThreads helpers;
-  helpers.start(threadCount(threads, blocks) - 1, work);
+  helpers.start(threadCount(blocks) - 1, work);
   work();
   helpers.join();
   if (failure) {
@@ -113,9 +107,9 @@ parallelBlocks(std::size_t items, std::size_t grain, unsigned threads, MakeWorke
 /** \brief Calls function (i) for every i in [0, items), in no particular order. */
 template <typename Function>
 void
-parallelFor(std::size_t items, unsigned threads, Function function, std::size_t grain = 1)
+parallelFor(std::size_t items, Function function, std::size_t grain = 1)
 {
-  parallelBlocks(items, grain, threads, [&function] {
+  parallelBlocks(items, grain, [&function] {
     return [&function](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         function(i);

@@ -29,10 +29,7 @@ struct GraphAccuracy {
  * \param[in] prepared made of a cloud
  * \param[in] origins vertex of the mesh that each point of the cloud was, no_index: none */
 GraphAccuracy
-compareGraph(const Surface& mesh,
-             const PreparedSurface& prepared,
-             const std::vector<Index>& origins,
-             unsigned threads = 1);
+compareGraph(const Surface& mesh, const PreparedSurface& prepared, const std::vector<Index>& origins);
 
 /** \brief What came out for one model. */
 struct GraphRun {

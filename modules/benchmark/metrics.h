@@ -67,12 +67,11 @@ subsampleTruth(const GroundTruth& truth);
  * \param[in] mesh surface with faces; distances are measured along its edges
  * \param[in] truth not empty
  * \param[in] partners one per point of the mesh, no_index: none, which counts as wrong
- * \param[in] threads for the distances, 0: all cores; the score does not depend on it
  * \throws pcl::BadArgumentException no faces, no truth, another number of partners than points, an index out of range,
  * or a mesh without extent
  */
 MapAccuracy
-scoreMap(const Surface& mesh, const GroundTruth& truth, const std::vector<Index>& partners, unsigned threads = 1);
+scoreMap(const Surface& mesh, const GroundTruth& truth, const std::vector<Index>& partners);
 
 } // namespace symmetry
 } // namespace pcl

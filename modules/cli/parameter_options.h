@@ -11,6 +11,10 @@ namespace symmetry {
 /** \brief Most threads, and most estimations at a time, that a program can be asked for. */
 constexpr unsigned thread_limit = 1024;
 
+/** \brief Gives the method that is chosen this many samples: what --samples N means. 0: as many as it has. */
+void
+setSamples(SymmetryParameters& parameters, int samples);
+
 /** \brief As checkParameters (), in terms of the command line.
  * \throws UsageError names the option of the parameter that is out of its range */
 void

@@ -16,7 +16,7 @@ namespace symmetry {
  * A neighbour counts less the farther away it is. Where the neighbours span no plane the normal is some vector at right
  * angles to what they span. Cost O(n k). */
 std::vector<Vector3>
-estimateNormals(const std::vector<Vector3>& points, const NeighbourLists& neighbours, unsigned threads);
+estimateNormals(const std::vector<Vector3>& points, const NeighbourLists& neighbours);
 
 /** \brief Turns normals so that neighbours agree.
  *

@@ -71,7 +71,6 @@ buildCloudSurface(const std::vector<Vector3>& points,
                   const std::vector<Vector3>& given_normals,
                   float radius,
                   const ContactTest& contact,
-                  unsigned threads,
                   const std::vector<char>& is_oriented = {});
 
 } // namespace symmetry

@@ -22,8 +22,7 @@ namespace symmetry {
 std::vector<Triangle>
 localDelaunayTriangles(const std::vector<Vector3>& points,
                        const std::vector<Vector3>& normals,
-                       const SurfaceGraph& graph,
-                       unsigned threads);
+                       const SurfaceGraph& graph);
 
 /** \brief Discrete Laplacian of a cloud of evenly spread samples. */
 struct FanLaplacian {

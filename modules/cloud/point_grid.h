@@ -5,8 +5,10 @@
 
 #include <pcl/symmetry/surface.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 namespace pcl {
@@ -37,6 +39,30 @@ public:
     }
   }
 
+  /** \brief Calls visit (i) for the points around a place, those of the nearest cubes first, until all that are left are
+   * farther than what the last call of visit () returned, at first \a reach. */
+  template <typename Visit>
+  void
+  visitNearest(const Vector3& place, float reach, Visit visit) const
+  {
+    const std::array<std::int64_t, 3> centre = cube(place);
+    for (std::int64_t ring = 0; ring <= 1 || static_cast<float>(ring - 1) <= reach * inverse_cell_; ++ring) {
+      for (std::int64_t z = -ring; z <= ring; ++z) {
+        for (std::int64_t y = -ring; y <= ring; ++y) {
+          const bool is_side = std::max(std::abs(y), std::abs(z)) == ring;
+          // Of a row that runs through the ring only its ends belong to it.
+          for (std::int64_t x = -ring; x <= ring; x += is_side || ring == 0 ? 2 * ring + 1 : 2 * ring) {
+            const auto [begin, end] =
+                row({centre[0] + x, centre[1] + y, centre[2] + z}, centre[0] + (is_side ? ring : x));
+            for (std::size_t i = begin; i < end; ++i) {
+              reach = visit(order_[i]);
+            }
+          }
+        }
+      }
+    }
+  }
+
   /** \brief Calls visit (i) for every point i in the cubes that meet a box: all in the box, and some more. In a fixed
    * order. */
   template <typename Visit>
@@ -53,6 +79,13 @@ public:
         }
       }
     }
+  }
+
+  /** \brief All points, in the order in which visits meet them. */
+  const std::vector<Index>&
+  order() const
+  {
+    return order_;
   }
 
 private:
@@ -85,6 +118,13 @@ private:
   std::vector<std::int32_t> xs_; ///< of the cubes of the entries, ascending within a row
   std::vector<Index> order_;     ///< points of the entries, ascending within a cube
 };
+
+/** \brief The edge of cubes of which 27 hold at most \a most points on average: \a cell, or less where points are crowded.
+ *
+ * For searches among the samples of what should be a surface. Points that fill space or lie tangled are as near to each
+ * other as ever, but have neighbours so far off that any number of points comes to lie within the distance of those. */
+float
+uncrowdedCell(const std::vector<Vector3>& points, float cell, std::size_t most);
 
 } // namespace symmetry
 } // namespace pcl

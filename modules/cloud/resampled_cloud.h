@@ -48,7 +48,6 @@ ResampledCloud
 resampleCloud(const std::vector<Vector3>& points,
               const NeighbourLists& lists,
               std::size_t maximum_points,
-              unsigned threads,
               NoiseInterpretation interpretation = NoiseInterpretation::Smooth);
 
 } // namespace symmetry

@@ -23,10 +23,7 @@ namespace symmetry {
  * For points without noise: a plane that is held by one point follows its noise. Cost O(n k).
  * \param[in] normals unit length, of either sign */
 std::vector<Vector3>
-sheetNormals(const std::vector<Vector3>& points,
-             const NeighbourLists& neighbours,
-             const std::vector<Vector3>& normals,
-             unsigned threads);
+sheetNormals(const std::vector<Vector3>& points, const NeighbourLists& neighbours, const std::vector<Vector3>& normals);
 
 } // namespace symmetry
 } // namespace pcl

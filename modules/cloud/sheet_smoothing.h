@@ -51,10 +51,7 @@ struct SheetPlaces {
  * \cite fleishman2005robust).
  * \param[in] points of the cloud */
 SheetPlaces
-moveToSheets(std::vector<Vector3> places,
-             const std::vector<Vector3>& points,
-             const Smoothing& smoothing,
-             unsigned threads);
+moveToSheets(std::vector<Vector3> places, const std::vector<Vector3>& points, const Smoothing& smoothing);
 
 } // namespace symmetry
 } // namespace pcl

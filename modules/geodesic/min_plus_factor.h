@@ -36,7 +36,7 @@ public:
   /** \brief Dissects the graph and finds the boundary of every node.
    * \param[in] graph referred to, not copied
    * \param[in] maximum_field_cost the analysis ends early, as not feasible (), when a field would cost more */
-  MinPlusFactor(const SurfaceGraph& graph, double maximum_field_cost, unsigned threads);
+  MinPlusFactor(const SurfaceGraph& graph, double maximum_field_cost);
 
   bool
   feasible() const
@@ -52,13 +52,12 @@ public:
 
   /** \brief Computes the factor; the graph must be feasible (). */
   void
-  factorize(unsigned threads);
+  factorize();
 
   /** \brief Distances from every source to every vertex.
-   * \param[out] rows sources x graph.size () values
-   * \param[in] threads 0: all cores; the result does not depend on it */
+   * \param[out] rows sources x graph.size () values */
   void
-  fields(const std::vector<Index>& sources, float* rows, unsigned threads) const;
+  fields(const std::vector<Index>& sources, float* rows) const;
 
 private:
   /** Matrices are row-major; their strides are rounded up to whole blocks of kernel_lanes, filled up with infinity. */
@@ -89,7 +88,7 @@ private:
   findBoundaries(double maximum_field_cost);
 
   void
-  eliminate(std::size_t node, FrontScratch& scratch, unsigned threads);
+  eliminate(std::size_t node, FrontScratch& scratch);
 
   void
   assemble(std::size_t node, FrontScratch& scratch);

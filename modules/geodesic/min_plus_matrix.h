@@ -31,15 +31,14 @@ minPlus(float* result,
         std::size_t right_stride,
         std::size_t rows,
         std::size_t depth,
-        std::size_t columns,
-        unsigned threads);
+        std::size_t columns);
 
 /** \brief Shortest paths among all pairs, in place: Floyd's algorithm \cite floyd1962algorithm by blocks.
  * \param[in,out] matrix symmetric, count x count; the stride is a multiple of kernel_lanes
  *
  * \param[in] panel scratch */
 void
-closeSymmetric(float* matrix, std::size_t count, std::size_t stride, FloatBlock& panel, unsigned threads);
+closeSymmetric(float* matrix, std::size_t count, std::size_t stride, FloatBlock& panel);
 
 /** \brief Transposes a matrix whose rows and columns are whole blocks of kernel_lanes. */
 void

@@ -36,10 +36,10 @@ struct Dissection {
  * each part has at least a third of the vertices. The separator is the smallest set of vertices that touches all edges
  * across the cut. Small separators are what surfaces have; any graph may
  * be given. Cost O(n log n). The result does not depend on
- * \a threads (0: all cores).
+ * the number of threads.
  */
 Dissection
-dissect(const SurfaceGraph& graph, std::size_t largest_leaf, unsigned threads);
+dissect(const SurfaceGraph& graph, std::size_t largest_leaf);
 
 } // namespace symmetry
 } // namespace pcl

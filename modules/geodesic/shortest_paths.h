@@ -64,13 +64,13 @@ public:
   DistanceFieldSolver&
   operator=(DistanceFieldSolver&&) = delete;
 
-  /** \brief One full field per source, on \a threads threads (0: all cores). */
+  /** \brief One full field per source. */
   DistanceFields
-  fields(const std::vector<Index>& sources, unsigned threads);
+  fields(const std::vector<Index>& sources);
 
 private:
   bool
-  isFactorized(unsigned threads);
+  isFactorized();
 
   const SurfaceGraph& graph_;
   std::size_t sources_ = 0; ///< asked for so far
@@ -78,9 +78,9 @@ private:
   bool factorized_ = false;
 };
 
-/** \brief One full field per source, on \a threads threads (0: all cores); see DistanceFieldSolver. */
+/** \brief One full field per source; see DistanceFieldSolver. */
 DistanceFields
-distanceFields(const SurfaceGraph& graph, const std::vector<Index>& sources, unsigned threads);
+distanceFields(const SurfaceGraph& graph, const std::vector<Index>& sources);
 
 /** \brief Vertices of a shortest path from \a source to \a target, both included; empty where there is none. */
 std::vector<Index>

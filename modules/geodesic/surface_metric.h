@@ -17,10 +17,9 @@ class SurfaceMetric { // NOLINT(cppcoreguidelines-special-member-functions): an 
 public:
   virtual ~SurfaceMetric() = default;
 
-  /** \brief One field of distances to all vertices per source.
-   * \param[in] threads 0: all cores; the result does not depend on it */
+  /** \brief One field of distances to all vertices per source. */
   virtual DistanceFields
-  fields(const std::vector<Index>& sources, unsigned threads) const = 0;
+  fields(const std::vector<Index>& sources) const = 0;
 
   /** \brief Farthest-point sampling, see farthestPointSampling (); \a start is the first sample. */
   virtual std::vector<Index>
@@ -32,8 +31,7 @@ public:
   virtual std::vector<Index>
   midpoints(const std::vector<Index>& sources,
             const DistanceFields& fields,
-            const std::vector<Index>& targets,
-            unsigned threads) const = 0;
+            const std::vector<Index>& targets) const = 0;
 };
 
 /** \brief Shortest paths along a connected graph; the midpoint is that of such a path. Fields come from one
@@ -46,7 +44,7 @@ public:
   }
 
   DistanceFields
-  fields(const std::vector<Index>& sources, unsigned threads) const override;
+  fields(const std::vector<Index>& sources) const override;
 
   std::vector<Index>
   farthestPoints(Index start, std::size_t count) const override;
@@ -54,8 +52,7 @@ public:
   std::vector<Index>
   midpoints(const std::vector<Index>& sources,
             const DistanceFields& fields,
-            const std::vector<Index>& targets,
-            unsigned threads) const override;
+            const std::vector<Index>& targets) const override;
 
 private:
   const SurfaceGraph& graph_;
@@ -73,7 +70,7 @@ public:
   }
 
   DistanceFields
-  fields(const std::vector<Index>& sources, unsigned threads) const override;
+  fields(const std::vector<Index>& sources) const override;
 
   std::vector<Index>
   farthestPoints(Index start, std::size_t count) const override;
@@ -81,8 +78,7 @@ public:
   std::vector<Index>
   midpoints(const std::vector<Index>& sources,
             const DistanceFields& fields,
-            const std::vector<Index>& targets,
-            unsigned threads) const override;
+            const std::vector<Index>& targets) const override;
 
 private:
   Index

@@ -30,7 +30,7 @@ struct RobustSettings {
  *
  * Status TooFewPoints below 60 points, NoSymmetry where no candidate explains the surface as a reflection.
  * \param[in] surface connected, at unit scale
- * \param[in] parameters metric, alternatives (none with sparse_only), threads
+ * \param[in] parameters metric, alternatives (none with sparse_only)
  * \param[in] settings ingredients
  * \param[in,out] timer told of the steps sampling, embedding, geodesics, features, hypotheses, matching, dense
  * \throws Cancelled by the timer

@@ -46,6 +46,10 @@ PrintTo(const HostileFile& row, std::ostream* out)
 const std::vector<Hostile>&
 hostileSurfaces();
 
+/** \brief More of them: faces that join anything, spacings and sizes that tell nothing. */
+const std::vector<Hostile>&
+hostileGeometry();
+
 /** \brief Of files that are refused, all with exit status 1. */
 const std::vector<HostileFile>&
 hostileFiles();

@@ -69,6 +69,7 @@ nameOf(const testing::TestParamInfo<Row>& row)
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, HostileSurface, testing::ValuesIn(hostileSurfaces()), nameOf<Hostile>);
+INSTANTIATE_TEST_SUITE_P(Geometry, HostileSurface, testing::ValuesIn(hostileGeometry()), nameOf<Hostile>);
 INSTANTIATE_TEST_SUITE_P(Table, HostileBytes, testing::ValuesIn(hostileFiles()), nameOf<HostileFile>);
 
 } // namespace

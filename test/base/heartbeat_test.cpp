@@ -60,11 +60,11 @@ TEST(Heartbeat, IsOfTheThreadThatAskedForIt)
 TEST(Heartbeat, EndsAParallelLoopByAnException)
 {
   for (const unsigned threads : {1U, 3U}) {
+    const ThreadScope some_threads(threads);
     const HeartbeatScope scope([] { throw std::runtime_error("enough"); });
     const auto begin = Clock::now();
-    EXPECT_THROW(
-        parallelFor(100000, threads, [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }),
-        std::runtime_error);
+    EXPECT_THROW(parallelFor(100000, [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }),
+                 std::runtime_error);
     EXPECT_LT(Clock::now() - begin, std::chrono::seconds(10));
   }
 }

@@ -1,4 +1,5 @@
 #include "benchmark/disturbance.h"
+#include "support/messages.h"
 #include "support/shapes.h"
 #include "support/temporary_folder.h"
 

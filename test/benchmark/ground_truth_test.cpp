@@ -1,4 +1,5 @@
 #include "benchmark/ground_truth.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/exceptions.h>

@@ -1,6 +1,8 @@
 #include "benchmark/metrics.h"
+#include "support/messages.h"
 #include "support/shapes.h"
 #include "support/temporary_folder.h"
+#include "support/with_threads.h"
 
 #include <pcl/exceptions.h>
 
@@ -180,7 +182,9 @@ TEST(MetricsTest, DoesNotDependOnScaleOrThreads)
   const GroundTruth truth = denseTruth(partners);
   std::rotate(partners.begin(), partners.begin() + 1, partners.end());
   const MapAccuracy score = scoreMap(grid, truth, partners);
-  const MapAccuracy large = scoreMap(test::scaled(grid, {1024.0F, 1024.0F, 1024.0F}), truth, partners, 3);
+  const MapAccuracy large = test::withThreads(3, [&] {
+    return scoreMap(test::scaled(grid, {1024.0F, 1024.0F, 1024.0F}), truth, partners);
+  });
   EXPECT_EQ(large.correspondenceRate(), score.correspondenceRate());
   EXPECT_DOUBLE_EQ(large.meanGeodesicError(), score.meanGeodesicError());
   EXPECT_DOUBLE_EQ(large.diameter, 1024.0 * score.diameter);

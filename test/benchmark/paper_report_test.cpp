@@ -108,10 +108,11 @@ TEST(PaperReport, ParametersAreNamed)
 {
   SymmetryParameters parameters;
   EXPECT_TRUE(contains(describePaper({}, parameters, {}),
-                       "metric geodesic, extremities nine, landmarks 100, samples each method's default."));
-  parameters.extremities = ExtremePoints::FirstFour;
-  parameters.samples = 1000;
-  EXPECT_TRUE(contains(describePaper({}, parameters, {}), "extremities four, landmarks 100, samples 1000."));
+                       "metric geodesic, extremities nine, landmarks 100, samples 100 (staged) and 1500 (robust)."));
+  parameters.staged.extremities = ExtremePoints::FirstFour;
+  parameters.robust.samples = 1000;
+  EXPECT_TRUE(contains(describePaper({}, parameters, {}),
+                       "extremities four, landmarks 100, samples 100 (staged) and 1000 (robust)."));
 }
 
 TEST(PaperReport, ANameDoesNotBreakATable)

@@ -1,6 +1,7 @@
 // Files that a program is asked to write, checked before it begins.
 #include "cli/output_names.h"
 #include "cli/program.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/exceptions.h>

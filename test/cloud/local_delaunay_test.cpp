@@ -1,6 +1,7 @@
 #include "cloud/clouds.h"
 #include "cloud/local_delaunay.h"
 #include "support/shapes.h"
+#include "support/with_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -234,7 +235,7 @@ TEST(LocalDelaunayLaplacian, OfUnconnectedPointsHasEqualAreas)
 TEST(LocalDelaunayTriangles, CoverTheSphereOnceFacingOutwards)
 {
   const Sampling sampling = onSphere(2500, 0.4F);
-  const std::vector<Triangle> triangles = localDelaunayTriangles(sampling.points, sampling.normals, sampling.graph, 1);
+  const std::vector<Triangle> triangles = localDelaunayTriangles(sampling.points, sampling.normals, sampling.graph);
   EXPECT_NEAR(area(sampling.points, triangles) / (4.0 * pi * 0.16), 1.0, 0.02);
   EXPECT_NEAR(static_cast<double>(triangles.size()) / (2.0 * 2500.0 - 4.0), 1.0, 0.02); // Euler
   for (const Triangle& t : triangles) {
@@ -243,14 +244,15 @@ TEST(LocalDelaunayTriangles, CoverTheSphereOnceFacingOutwards)
     ASSERT_TRUE(t[0] < t[1] && t[0] < t[2]);
   }
   EXPECT_EQ(std::adjacent_find(triangles.begin(), triangles.end()), triangles.end());
-  EXPECT_EQ(localDelaunayTriangles(sampling.points, sampling.normals, sampling.graph, 3), triangles);
+  EXPECT_EQ(withThreads(3, [&] { return localDelaunayTriangles(sampling.points, sampling.normals, sampling.graph); }),
+            triangles);
 }
 
 TEST(LocalDelaunayTriangles, HaveNoPointInTheirCircles)
 {
   const Sampling sampling = inPlane(irregularGrid(20, 20, 3), 20);
   std::size_t inner = 0;
-  for (const Triangle& t : localDelaunayTriangles(sampling.points, sampling.normals, sampling.graph, 1)) {
+  for (const Triangle& t : localDelaunayTriangles(sampling.points, sampling.normals, sampling.graph)) {
     const Vector3& a = sampling.points[t[0]];
     if (!isWithin(a, {4.0F, 4.0F, 0.0F}, {15.0F, 15.0F, 0.0F})) {
       continue;

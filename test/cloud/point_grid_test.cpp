@@ -212,4 +212,72 @@ TEST(PointGrid, VisitsNothingWhereThereIsNothing)
   EXPECT_TRUE(visited(PointGrid({{0.5F, 0.5F, 0.5F}}, 0.1F), {-0.5F, 0.5F, 0.5F}).empty());
 }
 
+TEST(PointGrid, TheNearestPointIsMetBeforeVisitsEnd)
+{
+  const std::vector<Vector3> points = randomPoints(2000, -1.0F, 1.0F, 9);
+  const PointGrid grid(points, 0.04F);
+  for (const Vector3& place : randomPoints(300, -1.3F, 1.3F, 10)) {
+    for (const float reach : {0.01F, 0.2F, 5.0F}) {
+      Index nearest = no_index;
+      float least = reach;
+      std::size_t count = 0;
+      grid.visitNearest(place, reach, [&](Index i) {
+        ++count;
+        if (distance(points[i], place) < least) {
+          least = distance(points[i], place);
+          nearest = i;
+        }
+        return least;
+      });
+      const std::vector<Index> all = nearer(points, place, reach);
+      const auto closest = std::min_element(all.begin(), all.end(), [&](Index a, Index b) {
+        return distance(points[a], place) < distance(points[b], place);
+      });
+      EXPECT_EQ(nearest, closest == all.end() ? no_index : *closest);
+      EXPECT_LT(count, 1000U);
+    }
+  }
+}
+
+TEST(PointGrid, VisitsOfTheNearestMeetEachPointOnce)
+{
+  const std::vector<Vector3> points = randomPoints(500, -1.0F, 1.0F, 9);
+  std::vector<int> visits(points.size(), 0);
+  PointGrid(points, 0.3F).visitNearest({0.1F, 0.2F, 0.3F}, 4.0F, [&](Index i) {
+    ++visits[i];
+    return 4.0F;
+  });
+  EXPECT_EQ(visits, std::vector<int>(points.size(), 1));
+}
+
+double
+meanVisited(const std::vector<Vector3>& points, float cell)
+{
+  const PointGrid grid(points, cell);
+  std::size_t count = 0;
+  for (const Vector3& p : points) {
+    count += visited(grid, p).size();
+  }
+  return static_cast<double>(count) / static_cast<double>(points.size());
+}
+
+TEST(UncrowdedCell, IsTheGivenOneWhereThereIsRoom)
+{
+  EXPECT_EQ(uncrowdedCell(randomPoints(3000, -1.0F, 1.0F, 3), 0.1F, 100), 0.1F);
+}
+
+TEST(UncrowdedCell, IsAsLargeAsTheCrowdAllows)
+{
+  const std::vector<Vector3> points = randomPoints(3000, -1.0F, 1.0F, 3);
+  ASSERT_GT(meanVisited(points, 0.8F), 100.0);
+  const float cell = uncrowdedCell(points, 0.8F, 100);
+  EXPECT_LE(meanVisited(points, cell), 100.0);
+  EXPECT_GT(meanVisited(points, 1.3F * cell), 100.0);
+}
+
+TEST(UncrowdedCell, IsNotSearchedForEverWhereAllPointsAreOne)
+{
+  EXPECT_GT(uncrowdedCell(std::vector<Vector3>(500), 1.0F, 100), 0.005F);
+}
+
 } // namespace

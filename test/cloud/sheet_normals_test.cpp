@@ -1,6 +1,7 @@
 #include "cloud/cloud_normals.h"
 #include "cloud/clouds.h"
 #include "cloud/sheet_normals.h"
+#include "support/with_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -53,9 +54,9 @@ TEST(SheetNormals, AreThoseOfOneOfTwoBodiesInContact)
     SCOPED_TRACE(gap);
     const Spheres spheres = spheresInContact(gap);
     const NeighbourLists lists = nearestNeighbours(spheres.points, k);
-    const std::vector<Vector3> blended = estimateNormals(spheres.points, lists, 1);
+    const std::vector<Vector3> blended = estimateNormals(spheres.points, lists);
     EXPECT_LT(leastCosine(blended, spheres.normals), 0.95F);
-    EXPECT_GT(leastCosine(sheetNormals(spheres.points, lists, blended, 1), spheres.normals), 0.97F);
+    EXPECT_GT(leastCosine(sheetNormals(spheres.points, lists, blended), spheres.normals), 0.97F);
   }
 }
 
@@ -63,7 +64,7 @@ TEST(SheetNormals, StayOnASmoothSurface)
 {
   const std::vector<Vector3> points = sphereCloud(2000, 0.4F);
   const NeighbourLists lists = nearestNeighbours(points, k);
-  const std::vector<Vector3> normals = sheetNormals(points, lists, estimateNormals(points, lists, 1), 1);
+  const std::vector<Vector3> normals = sheetNormals(points, lists, estimateNormals(points, lists));
   for (std::size_t v = 0; v < points.size(); ++v) {
     ASSERT_GT(std::abs(dot(normals[v], normalized(points[v]))), 0.99F) << v;
     ASSERT_NEAR(norm(normals[v]), 1.0F, 1e-4F) << v;
@@ -78,7 +79,7 @@ TEST(SheetNormals, AreMeansOfEitherSign)
   for (std::size_t v = 0; v < points.size(); ++v) {
     normals.push_back((v % 2 == 0 ? 1.0F : -1.0F) * normalized(points[v]));
   }
-  const std::vector<Vector3> means = sheetNormals(points, nearestNeighbours(points, k), normals, 1);
+  const std::vector<Vector3> means = sheetNormals(points, nearestNeighbours(points, k), normals);
   for (std::size_t v = 0; v < points.size(); ++v) {
     ASSERT_GT(dot(means[v], normals[v]), 0.98F) << v; // and keep the sign of their own
   }
@@ -92,22 +93,22 @@ TEST(SheetNormals, AreOfLengthOneWhereThereIsNoPlane)
   }
   points.push_back({0.0F, 0.0F, std::numeric_limits<float>::min()});
   const NeighbourLists lists = nearestNeighbours(points, 3);
-  for (const Vector3& normal : sheetNormals(points, lists, estimateNormals(points, lists, 1), 1)) {
+  for (const Vector3& normal : sheetNormals(points, lists, estimateNormals(points, lists))) {
     EXPECT_NEAR(norm(normal), 1.0F, 1e-4F);
   }
   NeighbourLists none;
   none.k = 3;
   none.neighbours.assign(3, no_index);
   const Vector3 up{0.0F, 0.0F, 1.0F};
-  EXPECT_EQ(sheetNormals({{0.0F, 0.0F, 0.0F}}, none, {up}, 1).front(), up);
+  EXPECT_EQ(sheetNormals({{0.0F, 0.0F, 0.0F}}, none, {up}).front(), up);
 }
 
 TEST(SheetNormals, AreTheSameForAnyNumberOfThreads)
 {
   const std::vector<Vector3> points = spheresInContact(0.01F).points;
   const NeighbourLists lists = nearestNeighbours(points, k);
-  const std::vector<Vector3> normals = estimateNormals(points, lists, 1);
-  EXPECT_EQ(sheetNormals(points, lists, normals, 1), sheetNormals(points, lists, normals, 3));
+  const std::vector<Vector3> normals = estimateNormals(points, lists);
+  EXPECT_EQ(sheetNormals(points, lists, normals), withThreads(3, [&] { return sheetNormals(points, lists, normals); }));
 }
 
 } // namespace

@@ -29,6 +29,19 @@ TEST(Smoothing, OfACloudWithoutNoiseStaysNone)
   EXPECT_EQ(withLeastRadius(none, 0.02F).least_radius, 0.0F);
 }
 
+/** Two thirds of the points lie in two sheets less than a spacing apart, as of a curled body: noise would be everywhere.
+ */
+TEST(Smoothing, OfSheetsInContactStaysNone)
+{
+  constexpr float spacing = 0.02F;
+  std::vector<Vector3> points = noisySquare(3000, 0.0F, 0.0F, 0.5F, 5);
+  std::vector<Vector3> above = noisySquare(1500, 0.6F * spacing, 0.0F, 0.0F, 6); // over the left half
+  points.insert(points.end(), above.begin(), above.end());
+  EXPECT_EQ(findSmoothing(points, spacing).radius, 0.0F);
+  std::vector<Vector3> noisy = noisySquare(4500, 0.0F, 0.3F * spacing, 0.5F, 7);
+  EXPECT_GT(findSmoothing(noisy, spacing).radius, 0.0F);
+}
+
 TEST(Smoothing, WithLeastRadiusFollowsTheDensity)
 {
   const Smoothing even{0.06F, 0.06F, 0.02F, 0.01F};
@@ -48,7 +61,7 @@ TEST(MoveToSheets, WidensNeighbourhoodsWherePointsAreSparse)
   constexpr float noise = 0.01F;
   const std::vector<Vector3> points = noisySquare(30000, 0.0F, noise, 0.95F, 3);
   const Smoothing smoothing{0.1F, 0.03F, 0.04F, 0.005F};
-  const SheetPlaces sheets = moveToSheets(points, points, smoothing, 1);
+  const SheetPlaces sheets = moveToSheets(points, points, smoothing);
   ASSERT_EQ(sheets.places.size(), points.size());
   double error[2] = {0.0, 0.0};
   double gap[2] = {0.0, 0.0};
@@ -81,7 +94,7 @@ TEST(MoveToSheets, SmallNeighbourhoodsKeepABumpThatLargeOnesLevel)
   }
   const auto top = [&](float least_radius) {
     const SheetPlaces sheets =
-        moveToSheets({{0.0F, 0.0F, height}}, points, Smoothing{0.12F, least_radius, 0.1F, 0.005F}, 1);
+        moveToSheets({{0.0F, 0.0F, height}}, points, Smoothing{0.12F, least_radius, 0.1F, 0.005F});
     return sheets.places[0][2];
   };
   EXPECT_GT(top(0.03F), 0.85F * height);

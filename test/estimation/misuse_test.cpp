@@ -1,5 +1,6 @@
 // Misuse of the class ends in an exception of pcl/exceptions.h that says what is wrong.
 #include "support/known_body.h"
+#include "support/messages.h"
 #include "support/pcl_input.h"
 #include "support/temporary_folder.h"
 
@@ -211,8 +212,8 @@ TEST(Enumerations, AreAmongTheirValues)
   refuses([](SymmetryParameters& p) { p.metric = static_cast<Metric>(2); });
   refuses([](SymmetryParameters& p) { p.normals = static_cast<NormalSource>(1000); });
   refuses([](SymmetryParameters& p) { p.components = static_cast<ComponentUse>(2); });
-  refuses([](SymmetryParameters& p) { p.extremities = static_cast<ExtremePoints>(2); });
-  refuses([](SymmetryParameters& p) { p.pairing = static_cast<PairingFeature>(3); });
+  refuses([](SymmetryParameters& p) { p.staged.extremities = static_cast<ExtremePoints>(2); });
+  refuses([](SymmetryParameters& p) { p.staged.pairing = static_cast<PairingFeature>(3); });
 }
 
 TEST(Callback, ThatThrowsLeavesTheResultAsItWas)

@@ -1,5 +1,7 @@
 // Whichever allocation fails, in whichever thread: the caller gets std::bad_alloc, and the process goes on.
 #include "model/articulated_body.h"
+#include "neighbour_search.h"
+#include "support/with_threads.h"
 
 #include <pcl/symmetry/symmetry.h>
 
@@ -73,60 +75,88 @@ namespace {
 
 using namespace pcl::symmetry;
 
-enum class Outcome { Result, OutOfMemory };
-
-/** Runs with so many allocations that succeed, and then so many that do not. */
-Outcome
-runWith(const Surface& surface, long allocations, long failures)
+/** Whether work ends with std::bad_alloc where so many allocations succeed, and then so many do not. */
+template <typename Work>
+bool
+runsOutOfMemory(Work work, long allocations, long failures)
 {
-  SymmetryParameters parameters;
-  parameters.threads = 4;
-  parameters.samples = 300; // less to do
   failures_left = failures;
   allocations_left = allocations;
   try {
-    const SymmetryResult result = estimateIntrinsicSymmetry(surface, parameters);
+    work();
     allocations_left = never;
-    EXPECT_TRUE(hasMap(result.status) || result.status == SymmetryStatus::NoSymmetry);
-    return Outcome::Result;
+    return false;
   }
   catch (const std::bad_alloc&) {
     allocations_left = never;
-    return Outcome::OutOfMemory;
+    return true;
   }
 }
 
-/** Number of allocations of a whole run. */
+/** Number of allocations of work. */
+template <typename Work>
 long
-allocationsOf(const Surface& surface)
+allocationsOf(Work work)
 {
   const long many = never - 1;
-  runWith(surface, many, 0); // what is made once per process
-  SymmetryParameters parameters;
-  parameters.threads = 4;
-  parameters.samples = 300;
+  work(); // what is made once per process
   allocations_left = many;
-  estimateIntrinsicSymmetry(surface, parameters);
+  work();
   return many - allocations_left.exchange(never);
 }
 
-// Of a mesh: FLANN allocates in a parallel region that no exception can leave, see doc/failure_modes.md.
-TEST(OutOfMemory, IsAnExceptionWhereverItHappens)
+template <typename Work>
+void
+expectExceptions(Work work)
 {
-  ModelParameters model;
-  model.vertices = 1000;
-  const Surface body = makeModel(model).surface;
-  const long all = allocationsOf(body);
+  const long all = allocationsOf(work);
   ASSERT_GT(all, 1000);
   constexpr long places = 40;
   long exceptions = 0;
   for (long i = 0; i < places; ++i) {
     // A single failure may hit the making of a thread, which the others stand in for.
     const long failures = i % 2 == 0 ? 1 : 1000000;
-    exceptions += runWith(body, i * all / places, failures) == Outcome::OutOfMemory ? 1 : 0;
+    exceptions += runsOutOfMemory(work, i * all / places, failures) ? 1 : 0;
   }
   EXPECT_GT(exceptions, places / 2);
-  EXPECT_EQ(runWith(body, never, 0), Outcome::Result);
+  EXPECT_FALSE(runsOutOfMemory(work, never, 0));
+}
+
+void
+estimate(const Surface& surface)
+{
+  SymmetryParameters parameters;
+  parameters.threads = 4;
+  parameters.robust.samples = 300; // less to do
+  const SymmetryResult result = estimateIntrinsicSymmetry(surface, parameters);
+  EXPECT_TRUE(hasMap(result.status) || result.status == SymmetryStatus::NoSymmetry);
+}
+
+Surface
+smallBody()
+{
+  ModelParameters model;
+  model.vertices = 1000;
+  return makeModel(model).surface;
+}
+
+TEST(OutOfMemory, IsAnExceptionWhereverItHappensToAMesh)
+{
+  const Surface mesh = smallBody();
+  expectExceptions([&mesh] { estimate(mesh); });
+}
+
+TEST(OutOfMemory, IsAnExceptionWhereverItHappensToACloud)
+{
+  Surface cloud = smallBody();
+  cloud.triangles.clear();
+  expectExceptions([&cloud] { estimate(cloud); });
+}
+
+TEST(OutOfMemory, IsAnExceptionWhereverItHappensInTheNeighbourSearch)
+{
+  const Surface cloud = smallBody();
+  expectExceptions([&cloud] { test::withThreads(3, [&cloud] { return searchByKdTree(cloud.points, 8); }); });
 }
 
 } // namespace

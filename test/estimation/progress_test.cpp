@@ -1,4 +1,5 @@
 // What a caller hears while the estimation runs, and how it stops.
+#include "estimation/left_out_points.h"
 #include "model/articulated_body.h"
 #include "support/known_body.h"
 
@@ -14,15 +15,6 @@ using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
 
 namespace {
-
-void
-expectNothingAbout(const SymmetryResult& result, std::size_t v)
-{
-  EXPECT_EQ(result.partners[v], no_index);
-  EXPECT_EQ(result.confidences[v], 0.0F);
-  EXPECT_EQ(result.sides[v], Side::None);
-  EXPECT_EQ(result.regions[v], Region::None);
-}
 
 class ProgressTest : public testing::TestWithParam<Method> {
 protected:

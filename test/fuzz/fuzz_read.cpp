@@ -7,7 +7,7 @@
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  static const std::array<const char*, 5> formats = {"pcd", "ply", "obj", "off", "stl"};
+  static const std::array<const char*, 7> formats = {"pcd", "ply", "obj", "off", "stl", "xyz", "vtk"};
   if (size == 0)
     return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);

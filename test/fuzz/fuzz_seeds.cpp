@@ -37,6 +37,14 @@ writeFiles(const std::filesystem::path& folder)
   write(folder / "solid.stl", "\x04solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                               "endloop\nendfacet\nendsolid a\n");
   write(folder / "faces.stl", '\x04' + std::string(80, ' ') + std::string("\x01\0\0\0", 4) + std::string(50, '\x3F'));
+  write(folder / "names.xyz", "\x05//X Y Z R G B Nx Ny Nz\n0 0 0 255 0 1 0 0 1\n1 0 0 255 0 1 0 1 0\n");
+  write(folder / "count.pts", "\x05"
+                              "2\n0 0 0 7\n1.5;0;nan;8\n");
+  write(folder / "text.vtk", "\x06# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n"
+                             "0 0 0 1 0 0 0 1 0\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n");
+  write(folder / "newer.vtk", "\x06# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+                              "0 0 0 1 0 0 0 1 0\nPOLYGONS 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n"
+                              "0 1 2\n");
   write(folder / "quads.obj", "\x02v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf -4//1 -3//1 -2//1 -1//1\n");
 }
 

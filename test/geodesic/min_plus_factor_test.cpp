@@ -1,6 +1,7 @@
 #include "geodesic/min_plus_factor.h"
 #include "geodesic/shortest_paths.h"
 #include "support/graphs.h"
+#include "support/with_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -18,15 +19,15 @@ constexpr double any_cost = std::numeric_limits<double>::infinity();
 
 /** Fields of every step-th vertex by elimination. */
 DistanceFields
-eliminatedFields(const SurfaceGraph& graph, const std::vector<Index>& sources, unsigned threads)
+eliminatedFields(const SurfaceGraph& graph, const std::vector<Index>& sources)
 {
-  MinPlusFactor factor(graph, any_cost, threads);
+  MinPlusFactor factor(graph, any_cost);
   EXPECT_TRUE(factor.feasible());
-  factor.factorize(threads);
+  factor.factorize();
   DistanceFields fields;
   fields.columns = graph.size();
   fields.values.resize(sources.size() * graph.size());
-  factor.fields(sources, fields.values.data(), threads);
+  factor.fields(sources, fields.values.data());
   return fields;
 }
 
@@ -44,7 +45,7 @@ void
 expectFieldsOfDijkstra(const SurfaceGraph& graph, Index step)
 {
   const std::vector<Index> sources = everyVertex(graph, step);
-  const DistanceFields fields = eliminatedFields(graph, sources, 1);
+  const DistanceFields fields = eliminatedFields(graph, sources);
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const std::vector<float> expected = distanceField(graph, sources[i]);
     for (std::size_t v = 0; v < graph.size(); ++v) {
@@ -102,9 +103,9 @@ TEST(MinPlusFactor, IsTheSameForAnyNumberOfThreads)
 {
   const SurfaceGraph graph = meshGraph(sphereMesh(5));       // large enough to be taken apart by several threads
   const std::vector<Index> sources = everyVertex(graph, 61); // more than are swept together
-  const DistanceFields fields = eliminatedFields(graph, sources, 1);
+  const DistanceFields fields = eliminatedFields(graph, sources);
   for (const unsigned threads : {0U, 2U, 3U, 7U}) {
-    EXPECT_EQ(eliminatedFields(graph, sources, threads).values, fields.values);
+    EXPECT_EQ(withThreads(threads, [&] { return eliminatedFields(graph, sources); }).values, fields.values);
   }
 }
 
@@ -112,9 +113,9 @@ TEST(MinPlusFactor, AFieldDoesNotDependOnTheOtherSources)
 {
   const SurfaceGraph graph = meshGraph(torusMesh(60, 20, 2.0F, 0.7F));
   const std::vector<Index> sources = everyVertex(graph, 13);
-  const DistanceFields together = eliminatedFields(graph, sources, 1);
+  const DistanceFields together = eliminatedFields(graph, sources);
   for (const std::size_t i : {std::size_t{0}, std::size_t{20}, sources.size() - 1}) {
-    const DistanceFields alone = eliminatedFields(graph, {sources[i]}, 1);
+    const DistanceFields alone = eliminatedFields(graph, {sources[i]});
     EXPECT_TRUE(std::equal(alone.values.begin(), alone.values.end(), together.row(i)));
   }
 }
@@ -123,7 +124,7 @@ TEST(MinPlusFactor, GivesUpWhereSeparatorsAreLarge)
 {
   // A random graph has none: every half of it touches nearly all of the other.
   const SurfaceGraph graph = randomGraph(4000, 8, evenLength);
-  EXPECT_FALSE(MinPlusFactor(graph, 40.0 * static_cast<double>(graph.neighbours.size()), 1).feasible());
+  EXPECT_FALSE(MinPlusFactor(graph, 40.0 * static_cast<double>(graph.neighbours.size())).feasible());
 }
 
 TEST(DistanceFieldSolver, GivesTheSameDistancesInPortions)
@@ -136,7 +137,7 @@ TEST(DistanceFieldSolver, GivesTheSameDistancesInPortions)
     const std::vector<Index> some(sources.begin() + static_cast<std::ptrdiff_t>(next),
                                   sources.begin() + static_cast<std::ptrdiff_t>(next + portion));
     next += portion;
-    const DistanceFields fields = solver.fields(some, 2);
+    const DistanceFields fields = solver.fields(some);
     for (std::size_t i = 0; i < portion; ++i) {
       const std::vector<float> expected = distanceField(graph, some[i]);
       for (std::size_t v = 0; v < graph.size(); ++v) {
@@ -150,7 +151,7 @@ TEST(DistanceFields, ManyOnARandomGraphAreSearched)
 {
   const SurfaceGraph graph = randomGraph(4000, 8, evenLength);
   const std::vector<Index> sources = everyVertex(graph, 50);
-  const DistanceFields fields = distanceFields(graph, sources, 2);
+  const DistanceFields fields = withThreads(2, [&] { return distanceFields(graph, sources); });
   for (std::size_t i = 0; i < sources.size(); i += 9) {
     const std::vector<float> expected = distanceField(graph, sources[i]);
     EXPECT_TRUE(std::equal(expected.begin(), expected.end(), fields.row(i)));
@@ -161,7 +162,7 @@ TEST(ShortestPath, IsFoundFromAnEliminatedField)
 {
   const SurfaceGraph graph = meshGraph(scaled(sphereMesh(4), {1.0F, 0.6F, 1.7F}));
   const std::vector<Index> sources = everyVertex(graph, 100);
-  const DistanceFields fields = eliminatedFields(graph, sources, 1);
+  const DistanceFields fields = eliminatedFields(graph, sources);
   for (std::size_t i = 0; i < sources.size(); ++i) {
     for (Index target = 3; target < static_cast<Index>(graph.size()); target += 211) {
       const std::vector<Index> path = shortestPath(graph, fields.row(i), target);

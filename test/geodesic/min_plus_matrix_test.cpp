@@ -1,5 +1,6 @@
 #include "geodesic/min_plus_matrix.h"
 #include "kernels/kernel_table.h"
+#include "support/with_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include <vector>
 
 using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
 
 namespace {
 
@@ -58,7 +60,7 @@ TEST(CloseSymmetric, FindsTheShortestPathsOfFloydsAlgorithm)
     std::vector<float> matrix = randomLengths(count, stride, static_cast<unsigned>(count));
     const std::vector<float> expected = closed(matrix, count, stride);
     FloatBlock panel;
-    closeSymmetric(matrix.data(), count, stride, panel, 1);
+    closeSymmetric(matrix.data(), count, stride, panel);
     EXPECT_EQ(matrix, expected) << count;
   }
 }
@@ -69,8 +71,8 @@ TEST(CloseSymmetric, GivesTheSameBytesForAnyNumberOfThreads)
   std::vector<float> alone = randomLengths(count, count, 3);
   std::vector<float> shared = alone;
   FloatBlock panel;
-  closeSymmetric(alone.data(), count, count, panel, 1);
-  closeSymmetric(shared.data(), count, count, panel, 3);
+  closeSymmetric(alone.data(), count, count, panel);
+  withThreads(3, [&] { closeSymmetric(shared.data(), count, count, panel); });
   EXPECT_EQ(alone, shared);
 }
 

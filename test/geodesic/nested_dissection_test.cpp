@@ -1,5 +1,6 @@
 #include "geodesic/nested_dissection.h"
 #include "support/graphs.h"
+#include "support/with_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ TEST(Dissection, HasEveryVertexOnceAndNoEdgeAcross)
 {
   for (const SurfaceGraph& graph : {meshGraph(sphereMesh(4)), meshGraph(gridMesh(70, 3)), meshGraph(gridMesh(1, 1)),
                                     randomGraph(500, 3, evenLength), buildGraph(100, {}), buildGraph(0, {})}) {
-    const Dissection dissection = dissect(graph, 10, 1);
+    const Dissection dissection = dissect(graph, 10);
     std::vector<Index> sorted = dissection.order;
     std::sort(sorted.begin(), sorted.end());
     std::vector<Index> all(graph.size());
@@ -52,7 +53,7 @@ TEST(Dissection, HasEveryVertexOnceAndNoEdgeAcross)
 TEST(Dissection, OfASurfaceHasSmallSeparators)
 {
   const SurfaceGraph graph = meshGraph(gridMesh(100, 100));
-  const Dissection dissection = dissect(graph, 32, 1);
+  const Dissection dissection = dissect(graph, 32);
   const Dissection::Node& root = dissection.nodes.back();
   EXPECT_LE(root.end - root.begin, 150U);
   EXPECT_GE(root.end - root.begin, 50U);
@@ -80,7 +81,7 @@ TEST(Dissection, CutsWhereTheSurfaceIsNarrow)
   for (Index y = 0; y < 4; ++y) {
     edges.push_back({y * 40, 1600 + y * 34, 1.0F});
   }
-  const Dissection dissection = dissect(buildGraph(1600 + 34 * 34, edges), 32, 1);
+  const Dissection dissection = dissect(buildGraph(1600 + 34 * 34, edges), 32);
   const Dissection::Node& root = dissection.nodes.back();
   EXPECT_LE(root.end - root.begin, 4U);
 }
@@ -88,9 +89,9 @@ TEST(Dissection, CutsWhereTheSurfaceIsNarrow)
 TEST(Dissection, IsTheSameForAnyNumberOfThreads)
 {
   const SurfaceGraph graph = meshGraph(sphereMesh(5));
-  const std::vector<Index> order = dissect(graph, 32, 1).order;
+  const std::vector<Index> order = dissect(graph, 32).order;
   for (const unsigned threads : {2U, 3U, 8U}) {
-    EXPECT_EQ(dissect(graph, 32, threads).order, order);
+    EXPECT_EQ(withThreads(threads, [&] { return dissect(graph, 32); }).order, order);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "geodesic/shortest_paths.h"
 #include "support/graphs.h"
+#include "support/with_threads.h"
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
@@ -180,7 +181,7 @@ TEST(DistanceField, FromSeveralSourcesIsTheLeastOfTheirFields)
   const SurfaceGraph graph = meshGraph(torusMesh(40, 16, 2.0F, 0.7F));
   const std::vector<Index> sources = {3, 200, 555};
   const std::vector<float> joint = distanceField(graph, sources);
-  const DistanceFields single = distanceFields(graph, sources, 1);
+  const DistanceFields single = distanceFields(graph, sources);
   for (std::size_t v = 0; v < graph.size(); ++v) {
     EXPECT_EQ(joint[v], std::min({single.row(0)[v], single.row(1)[v], single.row(2)[v]}));
   }
@@ -192,7 +193,7 @@ TEST(DistanceFields, AreTheFieldsOfTheirSources)
   for (const std::size_t count : {1U, 20U, 50U, 200U}) { // few are searched, many eliminated
     std::vector<Index> sources(count);
     std::iota(sources.begin(), sources.end(), 100);
-    const DistanceFields fields = distanceFields(graph, sources, 1);
+    const DistanceFields fields = distanceFields(graph, sources);
     ASSERT_EQ(fields.rows(), count);
     ASSERT_EQ(fields.columns, graph.size());
     for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -210,12 +211,12 @@ TEST(DistanceFields, AreTheSameForAnyNumberOfThreads)
   for (const std::size_t count : {20U, 200U}) {
     std::vector<Index> sources(count);
     std::iota(sources.begin(), sources.end(), 100);
-    const DistanceFields fields = distanceFields(graph, sources, 1);
+    const DistanceFields fields = distanceFields(graph, sources);
     for (const unsigned threads : {0U, 2U, 7U}) {
-      EXPECT_EQ(distanceFields(graph, sources, threads).values, fields.values);
+      EXPECT_EQ(withThreads(threads, [&] { return distanceFields(graph, sources); }).values, fields.values);
     }
   }
-  EXPECT_EQ(distanceFields(graph, {}, 2).rows(), 0U);
+  EXPECT_EQ(withThreads(2, [&] { return distanceFields(graph, {}); }).rows(), 0U);
 }
 
 TEST(DistanceFields, AreSymmetric)
@@ -225,7 +226,7 @@ TEST(DistanceFields, AreSymmetric)
   for (Index v = 0; v < static_cast<Index>(graph.size()); v += 37) {
     sources.push_back(v);
   }
-  const DistanceFields fields = distanceFields(graph, sources, 2);
+  const DistanceFields fields = withThreads(2, [&] { return distanceFields(graph, sources); });
   for (std::size_t i = 0; i < sources.size(); ++i) {
     for (std::size_t j = 0; j < sources.size(); ++j) {
       // Not equal bits: the sum of a path depends on the end it starts from.

@@ -1,6 +1,7 @@
 #include "base/vector_math.h"
 #include "geodesic/surface_metric.h"
 #include "support/graphs.h"
+#include "support/with_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +13,9 @@ TEST(GeodesicMetric, MeasuresAlongTheSurface)
   const Surface sphere = sphereMesh(4);
   const SurfaceGraph graph = meshGraph(sphere);
   const GeodesicMetric metric(graph);
-  EXPECT_EQ(metric.fields({4, 9}, 2).values, distanceFields(graph, {4, 9}, 1).values);
-  const Index middle = metric.midpoints({4}, metric.fields({4}, 1), {0}, 1)
-                           .front(); // from (0, 0, 1) to (1, 0, 0), along the great circle
+  EXPECT_EQ(metric.fields({4, 9}).values, distanceFields(graph, {4, 9}).values);
+  const Index middle =
+      metric.midpoints({4}, metric.fields({4}), {0}).front(); // from (0, 0, 1) to (1, 0, 0), along the great circle
   EXPECT_NEAR(sphere.points[middle][0], std::sqrt(0.5F), 0.05F);
   EXPECT_NEAR(sphere.points[middle][2], std::sqrt(0.5F), 0.05F);
 }
@@ -23,7 +24,7 @@ TEST(EuclideanMetric, MeasuresStraightThroughSpace)
 {
   const Surface sphere = sphereMesh(3);
   const EuclideanMetric metric(sphere.points);
-  const DistanceFields fields = metric.fields({4, 17}, 2);
+  const DistanceFields fields = metric.fields({4, 17});
   ASSERT_EQ(fields.rows(), 2U);
   for (std::size_t v = 0; v < sphere.size(); ++v) {
     EXPECT_EQ(fields.row(0)[v], distance(sphere.points[4], sphere.points[v]));
@@ -35,7 +36,7 @@ TEST(EuclideanMetric, MeasuresStraightThroughSpace)
 TEST(EuclideanMetric, MidpointIsTheVertexNearestToTheMiddle)
 {
   const std::vector<Vector3> points = {{0, 0, 0}, {4, 0, 0}, {2, 1, 0}, {2, 0, 0.5F}};
-  EXPECT_EQ(EuclideanMetric(points).midpoints({0, 0}, {}, {1, 0}, 2), (std::vector<Index>{3, 0}));
+  EXPECT_EQ(EuclideanMetric(points).midpoints({0, 0}, {}, {1, 0}), (std::vector<Index>{3, 0}));
 }
 
 TEST(EuclideanMetric, SamplesFarthestPointsAsDefined)
@@ -74,8 +75,9 @@ TEST(SurfaceMetric, DoesNotDependOnTheNumberOfThreads)
   const EuclideanMetric euclidean(sphere.points);
   for (const SurfaceMetric* metric :
        {static_cast<const SurfaceMetric*>(&geodesic), static_cast<const SurfaceMetric*>(&euclidean)}) {
-    const DistanceFields fields = metric->fields(sources, 1);
-    EXPECT_EQ(metric->fields(sources, 4).values, fields.values);
-    EXPECT_EQ(metric->midpoints(sources, fields, targets, 1), metric->midpoints(sources, fields, targets, 4));
+    const DistanceFields fields = metric->fields(sources);
+    EXPECT_EQ(withThreads(4, [&] { return metric->fields(sources); }).values, fields.values);
+    EXPECT_EQ(metric->midpoints(sources, fields, targets),
+              withThreads(4, [&] { return metric->midpoints(sources, fields, targets); }));
   }
 }

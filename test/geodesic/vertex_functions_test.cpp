@@ -1,6 +1,7 @@
 #include "geodesic/shortest_paths.h"
 #include "geodesic/vertex_functions.h"
 #include "support/graphs.h"
+#include "support/with_threads.h"
 
 #include <gtest/gtest.h>
 
@@ -71,7 +72,7 @@ TEST(Separated, LeavesNoTwoCloserAndNoneThatWouldFit)
     values[v] = static_cast<float>((v * 7919U) % 1009U);
   }
   const std::vector<Index> kept = separated(graph, all, values, 0.5F);
-  const DistanceFields fields = distanceFields(graph, kept, 2);
+  const DistanceFields fields = withThreads(2, [&] { return distanceFields(graph, kept); });
   for (std::size_t v = 0; v < graph.size(); ++v) {
     std::size_t close = 0;
     for (std::size_t i = 0; i < kept.size(); ++i) {

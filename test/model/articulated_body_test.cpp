@@ -72,8 +72,8 @@ meanChangeUnderTheMap(const Model& model)
     partners.push_back(model.partners[index(points.back())]);
   }
   const SurfaceGraph graph = buildMeshGraph(model.surface.points, model.surface.triangles);
-  const DistanceFields here = distanceFields(graph, points, 1);
-  const DistanceFields there = distanceFields(graph, partners, 1);
+  const DistanceFields here = distanceFields(graph, points);
+  const DistanceFields there = distanceFields(graph, partners);
   double sum = 0.0;
   int pairs = 0;
   for (std::size_t i = 0; i < points.size(); ++i)

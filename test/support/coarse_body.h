@@ -4,9 +4,9 @@
 #pragma once
 
 #include "support/known_body.h"
+#include "support/prepared.h"
 #include "symmetry/samples/sample_map.h"
 #include "symmetry/samples/sampled_surface.h"
-#include "symmetry/surface/surface_preparation.h"
 
 namespace pcl {
 namespace symmetry {
@@ -21,7 +21,7 @@ struct CoarseBody {
 
   /** \brief All that the steps work on; a copy, but for the surface. */
   SampledSurface
-  sampled(unsigned threads = 1) const
+  sampled() const
   {
     const SamplingSettings settings;
     const CellMembers members = membersOfCells(coarse);
@@ -29,11 +29,10 @@ struct CoarseBody {
             coarse,
             basis,
             landmarks,
-            interpolateFromSamples(surface, coarse, threads),
+            interpolateFromSamples(surface, coarse),
             members,
             thinnedMembers(members, settings.probes),
-            describeShape(coarse, basis, settings.dimensions, settings.descriptor),
-            threads};
+            describeShape(coarse, basis, settings.dimensions, settings.descriptor)};
   }
 
   /** \brief The landmark nearest to the true partner of every landmark. */
@@ -49,12 +48,6 @@ struct CoarseBody {
   }
 };
 
-inline PreparedSurface
-preparedMesh(const Surface& mesh)
-{
-  return prepareSurface(mesh, SymmetryParameters{}, NeighbourSearch{});
-}
-
 /** \brief 700 samples, 250 of them landmarks, 40 eigenfunctions. */
 inline CoarseBody
 coarseBody(Body kind, double bend, std::uint64_t seed = 1)
@@ -64,7 +57,7 @@ coarseBody(Body kind, double bend, std::uint64_t seed = 1)
   result.surface = preparedMesh(result.model.surface);
   result.coarse = coarsenSurface(result.surface, 700);
   result.basis = laplacianBasis(result.coarse, 40);
-  result.landmarks = makeLandmarkSurface(result.coarse, 250, Metric::Geodesic, 1);
+  result.landmarks = makeLandmarkSurface(result.coarse, 250, Metric::Geodesic);
   return result;
 }
 

@@ -23,7 +23,15 @@ prepared(const Surface& mesh)
   surface.graph = buildMeshGraph(mesh.points, mesh.triangles);
   surface.original.resize(mesh.size());
   std::iota(surface.original.begin(), surface.original.end(), 0);
+  surface.representatives = surface.original;
   return surface;
+}
+
+/** \brief A mesh as the estimation prepares it. */
+inline PreparedSurface
+preparedMesh(const Surface& mesh)
+{
+  return prepareSurface(mesh, SymmetryParameters{}, NeighbourSearch{});
 }
 
 /** \brief The mesh with vertex v renamed to new_number[v]. */

@@ -105,20 +105,6 @@ private:
   ScratchFolder folder_;
 };
 
-/** \brief Message of the exception that a call throws; empty where it throws none. */
-template <typename Exception, typename Call>
-std::string
-messageOf(Call call)
-{
-  try {
-    call();
-  }
-  catch (const Exception& error) {
-    return error.what();
-  }
-  return {};
-}
-
 } // namespace test
 } // namespace symmetry
 } // namespace pcl

@@ -163,7 +163,7 @@ public:
   }
 
   /** \brief Robust (default), or the published staged matching.
-   * \throws pcl::BadArgumentException neither of them, or the other parameters do not go with it */
+   * \throws pcl::BadArgumentException neither of them */
   void
   setMethod(symmetry::Method method);
 

@@ -27,13 +27,16 @@ namespace symmetry {
 PCL_SYMMETRY_EXPORTS std::string
 fileEnding(const std::string& path);
 
-/** \brief Reads a surface from a .pcd, .ply, .obj, .off or .stl file, any letter case of the ending, also compressed by
- * gzip with .gz behind.
+/** \brief Reads a surface from a .pcd, .ply, .obj, .off, .stl, .vtk or .xyz (.txt, .asc, .pts) file, any letter case of the
+ * ending, also compressed by gzip with .gz behind.
  *
  * - PCD: ascii, binary and binary_compressed; fields x y z and normal_x normal_y normal_z of any number type.
  * - PLY: ascii and binary of both byte orders; x y z and nx ny nz of any type, faces, triangle strips.
  * - OBJ: v, f and fo in all forms, and vn where each point has the normal of its own number.
  * - OFF: text and binary, with the prefixes ST, C, N, 4 and n.
+ * - XYZ: rows of numbers, x y z and perhaps normal, colour and others, with or without names of the columns.
+ * - VTK: legacy files of polygons or of cells that are polygons, ascii and binary.
+ * - Where the library is built with assimp: .glb, .gltf and .3mf.
  * - STL: ascii and binary; equal positions become one point, numbered in the order of their first appearance.
  *
  * Common dialects are read as well: doc/formats.md. Other fields of the points are kept in Surface::fields (PCD, PLY);
@@ -61,7 +64,7 @@ PCL_SYMMETRY_EXPORTS Surface
 readSurface(const std::string& path);
 
 /** \brief As above, where the name does not tell the format.
- * \param[in] format pcd, ply, obj, off or stl, whatever the ending; compressed by gzip or not. Empty: by the ending
+ * \param[in] format pcd, ply, obj, off, stl, vtk or xyz, whatever the ending; compressed by gzip or not. Empty: by the ending
  * \throws pcl::IOException as above
  * \ingroup symmetry
  */

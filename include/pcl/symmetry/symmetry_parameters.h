@@ -43,7 +43,24 @@ enum class ComponentUse {
   Largest ///< one component, of a mesh that of the largest area, of a cloud that of most points
 };
 
-/** \brief Everything that can be set, with defaults; plain data.
+/** \brief What only the robust method uses. */
+struct RobustParameters {
+  /** Evenly spaced samples that stand for the surface, [30, 20000]: the default is spaced by 1/40 of the diameter on a
+   * body, half as wide as a finger is long. */
+  int samples = 1500;
+};
+
+/** \brief What only the staged method uses; the defaults are the paper's unless another reason is given. */
+struct StagedParameters {
+  int landmarks = 100; ///< sources of full distance fields, [10, 1000]
+  int samples = 100;   ///< evenly spaced samples that stages 3 and 4 match, [20, 20000]
+  /** Dimensions of the spectral embedding in which the extreme points are paired, [2, 20]. */
+  int embedding_dimensions = 3;
+  ExtremePoints extremities = ExtremePoints::AmongNine;
+  PairingFeature pairing = PairingFeature::AverageGeodesicDistance; ///< of the first four, see ExtremePoints
+};
+
+/** \brief Everything that can be set, with defaults; plain data. What one method alone uses is in a part of its own.
  *
  * No length is absolute: a tolerance is relative to the diameter of the surface (the largest distance
  * between the points that fields of distances start from) or to the local point spacing.
@@ -51,6 +68,8 @@ enum class ComponentUse {
  */
 struct SymmetryParameters {
   Method method = Method::Robust;
+  RobustParameters robust; ///< of no effect on the staged method
+  StagedParameters staged; ///< of no effect on the robust method
   Metric metric = Metric::Geodesic;
 
   /** Neighbours of a point in the graph of a cloud without faces, [3, 256]. */
@@ -63,15 +82,6 @@ struct SymmetryParameters {
    * deviations are left out; 0: only points several times farther from their neighbours than these are from theirs. */
   float outlier_deviations = 0.0F;
 
-  /** Of the staged method: sources of full distance fields, [10, 1000]. */
-  int landmarks = 100;
-  /** Evenly spaced samples: staged: of stage 3, robust: that stand for the surface; 0: the method's own default (100
-   * and 1500), else [20, 20000], robust [30, 20000]. */
-  int samples = 0;
-  /** Dimensions of the staged method's spectral embedding, [2, 20]. */
-  int embedding_dimensions = 3;
-  ExtremePoints extremities = ExtremePoints::AmongNine;
-  PairingFeature pairing = PairingFeature::AverageGeodesicDistance; ///< of the first four, see ExtremePoints
   /** Deliver no dense map and no alternatives; sides, axis and sparse matches are there all the same. */
   bool sparse_only = false;
   /** Whether points at the axis are labelled Side::Axis; if not, every point that took part is on one of the sides. */

@@ -74,35 +74,29 @@ evidenceOf(const BenchmarkModel& model, const RunOptions& options)
   std::vector<EvidenceRow> rows;
   StepTimer timer;
   InputSummary summary;
-  interpretSurface(
-      input.input.surface, parametersFor(model, options),
-      [&options](const std::vector<Vector3>& points, int k) {
-        return searchByKdTree(points, k, options.parameters.threads);
-      },
-      timer, summary,
-      [&](const Interpretation& interpretation) {
-        const MapEstimate& estimate = interpretation.estimate;
-        EvidenceRow row;
-        row.model = model;
-        row.input = interpretation.surface.summary.read_as_cloud ? "mesh_as_cloud"
-                    : options.as_cloud                           ? "cloud"
-                                                                 : "mesh";
-        row.number = rows.size();
-        row.is_cut = options.cut_limb.has_value();
-        row.confidence = estimate.map_confidence;
-        row.measures = estimate.measures;
-        if (!input.asked.empty()) {
-          const MapAccuracy score =
-              scoreMap(input.mesh, input.asked, mapOfModel(interpretation, input), options.parameters.threads);
-          row.rate = score.correspondenceRate();
-          if (!row.is_cut) {
-            row.vertices = vertexEvidence(interpretation, input, score);
-          }
-        }
-        if (!row.measures.empty()) {
-          rows.push_back(std::move(row));
-        }
-      });
+  interpretSurface(input.input.surface, parametersFor(model, options), searchByKdTree, timer, summary,
+                   [&](const Interpretation& interpretation) {
+                     const MapEstimate& estimate = interpretation.estimate;
+                     EvidenceRow row;
+                     row.model = model;
+                     row.input = interpretation.surface.summary.read_as_cloud ? "mesh_as_cloud"
+                                 : options.as_cloud                           ? "cloud"
+                                                                              : "mesh";
+                     row.number = rows.size();
+                     row.is_cut = options.cut_limb.has_value();
+                     row.confidence = estimate.map_confidence;
+                     row.measures = estimate.measures;
+                     if (!input.asked.empty()) {
+                       const MapAccuracy score = scoreMap(input.mesh, input.asked, mapOfModel(interpretation, input));
+                       row.rate = score.correspondenceRate();
+                       if (!row.is_cut) {
+                         row.vertices = vertexEvidence(interpretation, input, score);
+                       }
+                     }
+                     if (!row.measures.empty()) {
+                       rows.push_back(std::move(row));
+                     }
+                   });
   return rows;
 }
 
@@ -116,7 +110,9 @@ collectEvidence(const std::vector<BenchmarkModel>& models,
 {
   std::vector<std::vector<EvidenceRow>> rows(models.size());
   std::vector<std::string> failures(models.size());
-  parallelFor(models.size(), jobs, [&](std::size_t i) {
+  const ThreadScope all_jobs(jobs);
+  parallelFor(models.size(), [&](std::size_t i) {
+    const ThreadScope of_a_job(options.parameters.threads);
     try {
       rows[i] = evidenceOf(models[i], options);
     }

@@ -59,13 +59,9 @@ compareModel(GraphRun& run, const RunOptions& options)
   input.surface.triangles.clear();
   StepTimer timer;
   InputSummary summary;
-  const Interpretation interpretation = interpretSurface(
-      input.surface, options.parameters,
-      [&options](const std::vector<Vector3>& points, int k) {
-        return searchByKdTree(points, k, options.parameters.threads);
-      },
-      timer, summary);
-  run.accuracy = compareGraph(mesh, interpretation.surface, input.origins, options.parameters.threads);
+  const Interpretation interpretation =
+      interpretSurface(input.surface, options.parameters, searchByKdTree, timer, summary);
+  run.accuracy = compareGraph(mesh, interpretation.surface, input.origins);
 }
 
 void
@@ -95,7 +91,7 @@ struct Totals {
 } // namespace
 
 GraphAccuracy
-compareGraph(const Surface& mesh, const PreparedSurface& prepared, const std::vector<Index>& origins, unsigned threads)
+compareGraph(const Surface& mesh, const PreparedSurface& prepared, const std::vector<Index>& origins)
 {
   constexpr std::size_t maximum_sources = 100;
   constexpr std::size_t maximum_targets = 1000;
@@ -111,8 +107,8 @@ compareGraph(const Surface& mesh, const PreparedSurface& prepared, const std::ve
     points.push_back(source.point);
   }
   const SurfaceGraph mesh_graph = buildMeshGraph(mesh.points, mesh.triangles);
-  const DistanceFields along_mesh = distanceFields(mesh_graph, vertices, threads);
-  const DistanceFields along_cloud = distanceFields(prepared.graph, points, threads);
+  const DistanceFields along_mesh = distanceFields(mesh_graph, vertices);
+  const DistanceFields along_cloud = distanceFields(prepared.graph, points);
   double diameter = 0.0;
   for (const float distance : along_mesh.values)
     if (std::isfinite(distance))
@@ -141,7 +137,9 @@ std::vector<GraphRun>
 compareGraphs(const std::vector<BenchmarkModel>& models, const RunOptions& options, unsigned jobs)
 {
   std::vector<GraphRun> runs(models.size());
-  parallelFor(models.size(), jobs, [&](std::size_t i) {
+  const ThreadScope all_jobs(jobs);
+  parallelFor(models.size(), [&](std::size_t i) {
+    const ThreadScope of_a_job(options.parameters.threads);
     runs[i].model = models[i];
     try {
       compareModel(runs[i], options);

@@ -39,7 +39,7 @@ public:
   {
     std::vector<Index> sources(pairs_.size());
     std::transform(pairs_.begin(), pairs_.end(), sources.begin(), [](const TruePartner& p) { return p.vertex; });
-    fields_ = distanceFields(buildMeshGraph(mesh.points, mesh.triangles), sources, 1);
+    fields_ = distanceFields(buildMeshGraph(mesh.points, mesh.triangles), sources);
     for (const float distance : fields_.values)
       diameter_ = std::isfinite(distance) ? std::max(diameter_, distance) : diameter_;
   }

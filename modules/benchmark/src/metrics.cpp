@@ -96,8 +96,7 @@ std::vector<double>
 measureDistances(const SurfaceGraph& graph,
                  const GroundTruth& truth,
                  const std::vector<Index>& partners,
-                 double diameter,
-                 unsigned threads)
+                 double diameter)
 {
   std::vector<double> distances(truth.size(), diameter);
   for (std::size_t begin = 0; begin < truth.size(); begin += fields_at_once) {
@@ -105,7 +104,7 @@ measureDistances(const SurfaceGraph& graph,
     std::vector<Index> sources;
     for (std::size_t i = begin; i < end; ++i)
       sources.push_back(truth[i].partner);
-    const DistanceFields fields = distanceFields(graph, sources, threads);
+    const DistanceFields fields = distanceFields(graph, sources);
     for (std::size_t i = begin; i < end; ++i) {
       const Index partner = partners[static_cast<std::size_t>(truth[i].vertex)];
       if (partner != no_index)
@@ -160,7 +159,7 @@ subsampleTruth(const GroundTruth& truth)
 }
 
 MapAccuracy
-scoreMap(const Surface& mesh, const GroundTruth& truth, const std::vector<Index>& partners, unsigned threads)
+scoreMap(const Surface& mesh, const GroundTruth& truth, const std::vector<Index>& partners)
 {
   checkArguments(mesh, truth, partners);
   const SurfaceGraph graph = buildMeshGraph(mesh.points, mesh.triangles);
@@ -176,7 +175,7 @@ scoreMap(const Surface& mesh, const GroundTruth& truth, const std::vector<Index>
     throw pcl::BadArgumentException("scoreMap: the mesh has no extent around vertex " +
                                     std::to_string(truth.front().vertex));
 
-  const std::vector<double> distances = measureDistances(graph, sample, partners, score.diameter, threads);
+  const std::vector<double> distances = measureDistances(graph, sample, partners, score.diameter);
   score.errors.reserve(sample.size());
   for (std::size_t i = 0; i < sample.size(); ++i) {
     const Index vertex = sample[i].vertex;

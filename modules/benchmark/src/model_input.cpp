@@ -123,8 +123,8 @@ parametersFor(const BenchmarkModel& model, const RunOptions& options)
   SymmetryParameters parameters = options.parameters;
   const float samples = samplesOf(model.variant);
   if (samples != 1.0F) {
-    const auto usual = static_cast<float>(parameters.samples > 0 ? parameters.samples : SamplingSettings{}.samples);
-    parameters.samples = static_cast<int>(std::lround(samples * usual));
+    int& usual = parameters.method == Method::Robust ? parameters.robust.samples : parameters.staged.samples;
+    usual = static_cast<int>(std::lround(samples * static_cast<float>(usual)));
   }
   return parameters;
 }

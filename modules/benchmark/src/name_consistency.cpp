@@ -55,10 +55,7 @@ estimateModel(NamedModel& named, const RunOptions& options, bool is_exchanged)
   if (!hasMap(result.status))
     throw pcl::IOException(named.model.file + ": " + toString(result.status));
   named.is_as_true = agreesWith(truth, result.sides) != is_exchanged;
-  const unsigned threads = options.parameters.threads;
-  named.described = describeLabelled(
-      surface, result.sides, result.partners,
-      [threads](const std::vector<Vector3>& points, int k) { return searchByKdTree(points, k, threads); }, threads);
+  named.described = describeLabelled(surface, result.sides, result.partners, searchByKdTree);
 }
 
 NamePairs&
@@ -133,7 +130,9 @@ compareAllNames(const std::vector<BenchmarkModel>& models,
                 const std::function<void(const NamedModel&)>& failed)
 {
   std::vector<NamedModel> named(models.size());
-  parallelFor(models.size(), jobs, [&](std::size_t i) {
+  const ThreadScope all_jobs(jobs);
+  parallelFor(models.size(), [&](std::size_t i) {
+    const ThreadScope of_a_job(options.parameters.threads);
     named[i].model = models[i];
     const bool is_exchanged = std::find(exchanged.begin(), exchanged.end(), models[i].class_name) != exchanged.end();
     try {
@@ -152,8 +151,8 @@ compareAllNames(const std::vector<BenchmarkModel>& models,
         pairs.emplace_back(i, j);
   }
   std::vector<double> margins(pairs.size());
-  parallelFor(pairs.size(), jobs, [&](std::size_t k) {
-    margins[k] = compareNames(named[pairs[k].first].described, named[pairs[k].second].described, 1).margin();
+  parallelFor(pairs.size(), [&](std::size_t k) {
+    margins[k] = compareNames(named[pairs[k].first].described, named[pairs[k].second].described).margin();
   });
   std::vector<NamePairs> rows;
   for (std::size_t k = 0; k < pairs.size(); ++k) {

@@ -205,10 +205,10 @@ failureList(const std::vector<ModelRun>& runs, const char* method)
 std::string
 parameterList(const SymmetryParameters& parameters)
 {
-  const std::string samples = parameters.samples > 0 ? std::to_string(parameters.samples) : "each method's default";
   return std::string("metric ") + nameOf(metric_names, parameters.metric) + ", extremities " +
-         nameOf(extreme_points_names, parameters.extremities) + ", landmarks " + std::to_string(parameters.landmarks) +
-         ", samples " + samples;
+         nameOf(extreme_points_names, parameters.staged.extremities) + ", landmarks " +
+         std::to_string(parameters.staged.landmarks) + ", samples " + std::to_string(parameters.staged.samples) +
+         " (staged) and " + std::to_string(parameters.robust.samples) + " (robust)";
 }
 
 std::string

@@ -138,8 +138,8 @@ describeOptions(const RunOptions& options)
   if (options.cut_limb)
     object["cut_limb"] = *options.cut_limb == Limb::Farthest ? "farthest" : "other";
   object["k_search"] = parameters.k_search;
-  object["landmarks"] = parameters.landmarks;
-  object["samples"] = parameters.samples;
+  object["robust"] = {{"samples", parameters.robust.samples}};
+  object["staged"] = {{"landmarks", parameters.staged.landmarks}, {"samples", parameters.staged.samples}};
   object["threads"] = parameters.threads;
   return object;
 }

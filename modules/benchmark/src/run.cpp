@@ -79,7 +79,7 @@ truthNear(const ModelInput& model, const std::vector<VertexTruth>& truth, Index 
 }
 
 OddPartAccuracy
-scoreOddPart(const ModelRun& run, const ModelInput& model, const RunOptions& options)
+scoreOddPart(const ModelRun& run, const ModelInput& model)
 {
   const std::vector<VertexTruth> truth = vertexTruths(run.model, model);
   OddPartAccuracy accuracy;
@@ -87,7 +87,7 @@ scoreOddPart(const ModelRun& run, const ModelInput& model, const RunOptions& opt
   for (const UnsupportedPart& part : run.unsupported)
     if (truthNear(model, truth, part.extreme) == VertexTruth::Odd)
       accuracy.found_share += static_cast<double>(part.share);
-  accuracy.rest_rate = scoreMap(model.mesh, model.asked, run.partners, options.parameters.threads).correspondenceRate();
+  accuracy.rest_rate = scoreMap(model.mesh, model.asked, run.partners).correspondenceRate();
   return accuracy;
 }
 
@@ -99,10 +99,10 @@ runAndScore(ModelRun& run, const RunOptions& options)
   run.faces = model.mesh.triangles.size();
   takeResult(run, estimateIntrinsicSymmetry(model.input.surface, parametersFor(run.model, options)), model);
   if (!model.asked.empty() && !options.cut_limb) {
-    run.score = scoreMap(model.mesh, model.asked, run.partners, options.parameters.threads);
+    run.score = scoreMap(model.mesh, model.asked, run.partners);
   }
   if (!model.asked.empty() && options.cut_limb && hasMap(run.status)) {
-    run.odd_part = scoreOddPart(run, model, options);
+    run.odd_part = scoreOddPart(run, model);
   }
 }
 
@@ -141,7 +141,9 @@ runModels(const std::vector<BenchmarkModel>& models,
   std::vector<bool> is_done(models.size(), false);
   std::size_t reported = 0;
   std::mutex mutex;
-  parallelFor(models.size(), jobs, [&](std::size_t i) {
+  const ThreadScope all_jobs(jobs);
+  parallelFor(models.size(), [&](std::size_t i) {
+    const ThreadScope of_a_job(options.parameters.threads);
     ModelRun run = runModel(models[i], options);
     const std::lock_guard<std::mutex> lock(mutex);
     runs[i] = std::move(run);

@@ -20,8 +20,9 @@ inOptions(const std::string& message)
   for (const auto& [parameter, option] : {std::pair("k_search", "--neighbours"),
                                           {"outlier_deviations", "--outliers"},
                                           {"radius", "--radius"},
-                                          {"landmarks", "--landmarks"},
-                                          {"samples", "--samples"},
+                                          {"staged.landmarks", "--landmarks"},
+                                          {"staged.samples", "--samples"},
+                                          {"robust.samples", "--samples"},
                                           {"alternatives", "--alternatives"}})
     if (message.rfind(parameter, 0) == 0)
       return option + message.substr(std::string(parameter).size());
@@ -29,6 +30,13 @@ inOptions(const std::string& message)
 }
 
 } // namespace
+
+void
+setSamples(SymmetryParameters& parameters, int samples)
+{
+  if (samples != 0)
+    (parameters.method == Method::Robust ? parameters.robust.samples : parameters.staged.samples) = samples;
+}
 
 void
 checkParameterOptions(const SymmetryParameters& parameters)

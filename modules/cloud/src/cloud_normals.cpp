@@ -71,12 +71,12 @@ struct Front {
 } // namespace
 
 std::vector<Vector3>
-estimateNormals(const std::vector<Vector3>& points, const NeighbourLists& neighbours, unsigned threads)
+estimateNormals(const std::vector<Vector3>& points, const NeighbourLists& neighbours)
 {
   std::vector<Vector3> normals(points.size());
   constexpr std::size_t grain = 512;
   parallelFor(
-      points.size(), threads, [&](std::size_t v) { normals[v] = planeNormal(points, neighbours, v); }, grain);
+      points.size(), [&](std::size_t v) { normals[v] = planeNormal(points, neighbours, v); }, grain);
   return normals;
 }
 

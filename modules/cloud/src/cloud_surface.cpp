@@ -61,11 +61,11 @@ localSpacing(const SurfaceGraph& graph)
  * \param[in] make_judge called once per thread, returns a function of an edge */
 template <typename MakeJudge>
 void
-moveEdges(std::vector<GraphEdge>& from, std::vector<GraphEdge>& to, unsigned threads, MakeJudge make_judge)
+moveEdges(std::vector<GraphEdge>& from, std::vector<GraphEdge>& to, MakeJudge make_judge)
 {
   constexpr std::size_t grain = 1024;
   std::vector<char> moves(from.size());
-  parallelBlocks(from.size(), grain, threads, [&] {
+  parallelBlocks(from.size(), grain, [&] {
     return [&, judge = make_judge()](std::size_t begin, std::size_t end) mutable {
       for (std::size_t i = begin; i < end; ++i) {
         moves[i] = judge(from[i]) ? 1 : 0;
@@ -87,12 +87,9 @@ moveEdges(std::vector<GraphEdge>& from, std::vector<GraphEdge>& to, unsigned thr
 /** Splits edges into trusted and distrusted ones. */
 template <typename IsShortcut>
 void
-separateEdges(std::vector<GraphEdge>& trusted,
-              std::vector<GraphEdge>& distrusted,
-              unsigned threads,
-              IsShortcut is_shortcut)
+separateEdges(std::vector<GraphEdge>& trusted, std::vector<GraphEdge>& distrusted, IsShortcut is_shortcut)
 {
-  moveEdges(trusted, distrusted, threads, [&is_shortcut] { return is_shortcut; });
+  moveEdges(trusted, distrusted, [&is_shortcut] { return is_shortcut; });
 }
 
 /** How an edge lies to the tangent planes of its ends, as sines of angles, whichever way the normals are turned. */
@@ -236,14 +233,13 @@ void
 restoreHarmless(const std::vector<Vector3>& points,
                 const NearEdges& is_near,
                 float detour,
-                unsigned threads,
                 std::vector<GraphEdge>& trusted,
                 std::vector<GraphEdge>& distrusted)
 {
   std::vector<GraphEdge> ways;
   std::copy_if(trusted.begin(), trusted.end(), std::back_inserter(ways), is_near);
   const SurfaceGraph graph = buildGraph(points.size(), ways);
-  moveEdges(distrusted, trusted, threads, [&points, &graph, &is_near, detour] {
+  moveEdges(distrusted, trusted, [&points, &graph, &is_near, detour] {
     return [search = LocalSearch(points, graph), &is_near, detour](const GraphEdge& edge) mutable {
       return is_near(edge) && search.isNear(edge.a, edge.b, detour * edge.length);
     };
@@ -299,7 +295,6 @@ buildCloudSurface(const std::vector<Vector3>& points,
                   const std::vector<Vector3>& given_normals,
                   float radius,
                   const ContactTest& contact,
-                  unsigned threads,
                   const std::vector<char>& is_oriented)
 {
   const SurfaceGraph plain = buildNeighbourGraph(points, lists, radius);
@@ -307,15 +302,15 @@ buildCloudSurface(const std::vector<Vector3>& points,
   const std::vector<GraphEdge> gaps = radius > 0.0F ? std::vector<GraphEdge>{} : linksAcrossGaps(points, plain);
   const std::vector<float> spacing = localSpacing(plain);
   CloudSurface cloud;
-  cloud.normals = given_normals.empty() ? estimateNormals(points, lists, threads) : given_normals;
+  cloud.normals = given_normals.empty() ? estimateNormals(points, lists) : given_normals;
   if (given_normals.empty() && contact.sheet_normals) {
-    cloud.normals = sheetNormals(points, lists, cloud.normals, threads);
+    cloud.normals = sheetNormals(points, lists, cloud.normals);
   }
 
   std::vector<GraphEdge> trusted = edgesOf(plain);
   std::vector<GraphEdge> distrusted;
   const float largest_step = largestStep(trusted, points, cloud.normals, contact);
-  separateEdges(trusted, distrusted, threads, [&](const GraphEdge& edge) {
+  separateEdges(trusted, distrusted, [&](const GraphEdge& edge) {
     const EdgeSlope slope = slopeOf(edge, points, cloud.normals);
     return slope.step > largest_step ||
            (slope.steepest > settings.steep &&
@@ -327,20 +322,20 @@ buildCloudSurface(const std::vector<Vector3>& points,
     bridgeParts(points.size(), whole, rest);
     orientNormals(points, buildGraph(points.size(), whole), is_oriented, cloud.normals);
   }
-  separateEdges(trusted, distrusted, threads, [&](const GraphEdge& edge) {
+  separateEdges(trusted, distrusted, [&](const GraphEdge& edge) {
     return dot(cloud.normals[edge.a], cloud.normals[edge.b]) < contact.bend;
   });
   std::size_t bridges = 0;
   const float depth = contact.depth * median(spacing);
   if (depth > 0.0F) {
     const ContactBarrier barrier(points, cloud.normals, depth);
-    separateEdges(trusted, distrusted, threads, [&](const GraphEdge& edge) { return barrier.isCrossedBy(edge); });
+    separateEdges(trusted, distrusted, [&](const GraphEdge& edge) { return barrier.isCrossedBy(edge); });
     // The inside of a thin part is crossed all over: first it has to hang together.
     bridges = bridgeParts(points.size(), trusted, distrusted);
   }
-  restoreHarmless(points, NearEdges(points, lists), contact.detour, threads, trusted, distrusted);
+  restoreHarmless(points, NearEdges(points, lists), contact.detour, trusted, distrusted);
 
-  cloud.triangles = localDelaunayTriangles(points, cloud.normals, buildGraph(points.size(), trusted), threads);
+  cloud.triangles = localDelaunayTriangles(points, cloud.normals, buildGraph(points.size(), trusted));
   cloud.bridges = bridges + bridgeParts(points.size(), trusted, distrusted) + gaps.size();
   cloud.distrusted_edges = distrusted.size();
   trusted.insert(trusted.end(), gaps.begin(), gaps.end());

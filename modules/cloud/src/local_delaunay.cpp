@@ -133,13 +133,12 @@ keepAgreed(std::vector<Triangle> proposed)
 std::vector<Triangle>
 localDelaunayTriangles(const std::vector<Vector3>& points,
                        const std::vector<Vector3>& normals,
-                       const SurfaceGraph& graph,
-                       unsigned threads)
+                       const SurfaceGraph& graph)
 {
   constexpr std::size_t grain = 1024;
   const std::size_t blocks = (points.size() + grain - 1) / grain;
   std::vector<std::vector<Triangle>> proposed(blocks);
-  parallelFor(blocks, threads, [&](std::size_t block) {
+  parallelFor(blocks, [&](std::size_t block) {
     for (std::size_t v = block * grain; v < std::min(points.size(), (block + 1) * grain); ++v) {
       std::vector<PlanePoint> ring = projectNeighbours(points, normals[v], graph, v);
       keepDelaunayNeighbours(ring);

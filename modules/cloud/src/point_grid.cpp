@@ -96,5 +96,24 @@ PointGrid::row(const std::array<std::int64_t, 3>& first, std::int64_t last_x) co
   return {static_cast<std::size_t>(begin - xs_.begin()), static_cast<std::size_t>(end - xs_.begin())};
 }
 
+float
+uncrowdedCell(const std::vector<Vector3>& points, float cell, std::size_t most)
+{
+  constexpr float step = 0.8F;   // halves the volume
+  constexpr int most_steps = 20; // a hundredth of the edge; what is crowded still is so at one place
+  for (int i = 0; i < most_steps; ++i) {
+    const PointGrid grid(points, cell);
+    std::size_t visited = 0;
+    for (const Vector3& p : points) {
+      grid.visitAround(p, [&visited](Index) { ++visited; });
+    }
+    if (visited <= most * points.size()) {
+      break;
+    }
+    cell *= step;
+  }
+  return cell;
+}
+
 } // namespace symmetry
 } // namespace pcl

@@ -47,7 +47,7 @@ thinOut(const std::vector<Vector3>& points, float spacing)
 
 /** Nearest kept point of every point, at most a spacing away. */
 std::vector<Index>
-nearestKept(const std::vector<Vector3>& points, const std::vector<Index>& kept, float spacing, unsigned threads)
+nearestKept(const std::vector<Vector3>& points, const std::vector<Index>& kept, float spacing)
 {
   std::vector<Vector3> places;
   places.reserve(kept.size());
@@ -58,7 +58,7 @@ nearestKept(const std::vector<Vector3>& points, const std::vector<Index>& kept, 
   std::vector<Index> nearest(points.size(), no_index);
   constexpr std::size_t grain = 1024;
   parallelFor(
-      points.size(), threads,
+      points.size(),
       [&](std::size_t v) {
         float least = std::numeric_limits<float>::infinity();
         grid.visitAround(points[v], [&](Index i) {
@@ -103,10 +103,10 @@ select(Selection& selection, const std::vector<Index>& kept, const std::vector<I
 }
 
 void
-selectSpaced(Selection& selection, float spacing, unsigned threads)
+selectSpaced(Selection& selection, float spacing)
 {
   const std::vector<Index> kept = thinOut(selection.places, spacing);
-  select(selection, kept, nearestKept(selection.places, kept, spacing, threads));
+  select(selection, kept, nearestKept(selection.places, kept, spacing));
 }
 
 /** Support of the middle of the surface: half of it has more. Places that are as dense as the points of the cloud stand
@@ -168,14 +168,13 @@ spacingForAtMost(const std::vector<Vector3>& points, std::size_t maximum_points,
 /** Moves the points of a noisy cloud onto its sheets. Not all of them: some at a fraction of the spacing to come.
  * \return the distance between the points of the cloud around each */
 std::vector<float>
-smooth(
-    Selection& selection, const Smoothing& smoothing, std::size_t maximum_points, float mean_distance, unsigned threads)
+smooth(Selection& selection, const Smoothing& smoothing, std::size_t maximum_points, float mean_distance)
 {
   const std::vector<Vector3> points = selection.places;
   const float spacing = spacingForAtMost(selection.places, 2 * maximum_points,
                                          settings.smoothed_spacing * smoothing.spacing, mean_distance);
-  selectSpaced(selection, spacing, threads);
-  SheetPlaces sheets = moveToSheets(std::move(selection.places), points, smoothing, threads);
+  selectSpaced(selection, spacing);
+  SheetPlaces sheets = moveToSheets(std::move(selection.places), points, smoothing);
   selection.places = std::move(sheets.places);
   selection.normals = std::move(sheets.normals);
   sheets.places = selection.places;
@@ -255,7 +254,6 @@ ResampledCloud
 resampleCloud(const std::vector<Vector3>& points,
               const NeighbourLists& lists,
               std::size_t maximum_points,
-              unsigned threads,
               NoiseInterpretation interpretation)
 {
   const std::vector<float> mean_distances = neighbourDistances(points, lists);
@@ -278,10 +276,10 @@ resampleCloud(const std::vector<Vector3>& points,
   heartbeat();
   std::vector<float> gaps;
   if (smoothing.radius > 0.0F) {
-    gaps = smooth(selection, smoothing, maximum_points, mean_distance, threads);
+    gaps = smooth(selection, smoothing, maximum_points, mean_distance);
   }
   else if (interpretation == NoiseInterpretation::Parted) {
-    const std::vector<Vector3> normals = estimateNormals(points, lists, threads);
+    const std::vector<Vector3> normals = estimateNormals(points, lists);
     for (const Index v : number) {
       selection.normals.push_back(normals[v]);
       gaps.push_back(mean_distances[v]);
@@ -294,7 +292,7 @@ resampleCloud(const std::vector<Vector3>& points,
   }
   heartbeat();
   if (spacing > 0.0F) {
-    selectSpaced(selection, spacing, threads);
+    selectSpaced(selection, spacing);
   }
 
   ResampledCloud cloud;

@@ -96,14 +96,11 @@ bilateralMean(const NeighbourLists& lists, const std::vector<Vector3>& normals, 
 } // namespace
 
 std::vector<Vector3>
-sheetNormals(const std::vector<Vector3>& points,
-             const NeighbourLists& neighbours,
-             const std::vector<Vector3>& normals,
-             unsigned threads)
+sheetNormals(const std::vector<Vector3>& points, const NeighbourLists& neighbours, const std::vector<Vector3>& normals)
 {
   constexpr std::size_t grain = 512;
   std::vector<Vector3> of_one_sheet(points.size());
-  parallelBlocks(points.size(), grain, threads, [&] {
+  parallelBlocks(points.size(), grain, [&] {
     return [&, offsets = Offsets()](std::size_t begin, std::size_t end) mutable {
       for (std::size_t v = begin; v < end; ++v) {
         offsets.collect(points, neighbours, v);
@@ -114,7 +111,7 @@ sheetNormals(const std::vector<Vector3>& points,
   });
   std::vector<Vector3> averaged(points.size());
   parallelFor(
-      points.size(), threads, [&](std::size_t v) { averaged[v] = bilateralMean(neighbours, of_one_sheet, v); }, grain);
+      points.size(), [&](std::size_t v) { averaged[v] = bilateralMean(neighbours, of_one_sheet, v); }, grain);
   return averaged;
 }
 

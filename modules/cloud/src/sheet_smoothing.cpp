@@ -272,10 +272,7 @@ withLeastRadius(Smoothing smoothing, float spacing)
 }
 
 SheetPlaces
-moveToSheets(std::vector<Vector3> places,
-             const std::vector<Vector3>& points,
-             const Smoothing& smoothing,
-             unsigned threads)
+moveToSheets(std::vector<Vector3> places, const std::vector<Vector3>& points, const Smoothing& smoothing)
 {
   constexpr float pi = 3.14159265F;
   SheetPlaces sheets;
@@ -288,7 +285,7 @@ moveToSheets(std::vector<Vector3> places,
   const std::vector<Vector3> thinned = everyFew(points, points.size() / times_enough);
   const Neighbourhoods neighbourhoods(thinned, smoothing);
   constexpr std::size_t grain = 64;
-  parallelBlocks(sheets.places.size(), grain, threads, [&] {
+  parallelBlocks(sheets.places.size(), grain, [&] {
     return [&, around = std::vector<Vector3>(), rows = CoordinateRows()](std::size_t begin, std::size_t end) mutable {
       for (std::size_t v = begin; v < end; ++v) {
         const float radius = neighbourhoods.gather(sheets.places[v], around);

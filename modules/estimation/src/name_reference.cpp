@@ -1,3 +1,4 @@
+#include "base/thread_scope.h"
 #include "neighbour_search.h"
 #include "refuse_argument.h"
 #include "symmetry/names/exchanged_sides.h"
@@ -41,12 +42,9 @@ isAllUnmatched(const std::vector<Index>& partners)
 }
 
 ComparableSurface
-describe(const Surface& surface, const std::vector<Side>& sides, const std::vector<Index>& partners, unsigned threads)
+describe(const Surface& surface, const std::vector<Side>& sides, const std::vector<Index>& partners)
 {
-  const NeighbourSearch search = [threads](const std::vector<Vector3>& points, int k) {
-    return searchByKdTree(points, k, threads);
-  };
-  return describeLabelled(surface, sides, partners, search, threads);
+  return describeLabelled(surface, sides, partners, searchByKdTree);
 }
 
 } // namespace
@@ -56,6 +54,7 @@ NameReference::NameReference(const Surface& surface,
                              const std::vector<Index>& partners,
                              unsigned threads)
 {
+  const ThreadScope scope(threads);
   checkLabels(surface, sides, partners);
   for (const Side side : {Side::Source, Side::Target}) {
     if (std::find(sides.begin(), sides.end(), side) == sides.end()) {
@@ -66,7 +65,7 @@ NameReference::NameReference(const Surface& surface,
   if (isAllUnmatched(partners)) {
     refuseArgument("no point of the reference has a partner");
   }
-  ComparableSurface described = describe(surface, sides, partners, threads);
+  ComparableSurface described = describe(surface, sides, partners);
   if (!described.isComparable()) {
     refuseArgument("the reference has too few points to be compared with");
   }
@@ -79,12 +78,12 @@ NameReference::nameSides(const Surface& surface, SymmetryResult& result, unsigne
   if (!hasMap(result.status)) {
     return;
   }
+  const ThreadScope scope(threads);
   checkLabels(surface, result.sides, result.partners);
   if (isAllUnmatched(result.partners)) {
     refuseArgument("sides are named by a reference from the dense map, which the result does not have");
   }
-  const NameComparison comparison =
-      compareNames(*reference_, describe(surface, result.sides, result.partners, threads), threads);
+  const NameComparison comparison = compareNames(*reference_, describe(surface, result.sides, result.partners));
   result.naming.by_reference = true;
   result.naming.exchanged = comparison.margin() < 0.0;
   result.naming.margin = static_cast<float>(std::abs(comparison.margin()));

@@ -8,10 +8,10 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief The k nearest points of every point, by pcl::search::KdTree (FLANN), on \a threads threads (0: all cores).
+/** \brief The k nearest points of every point, by pcl::search::KdTree (FLANN).
  * \param[in] points all finite */
 NeighbourLists
-searchByKdTree(const std::vector<Vector3>& points, int k, unsigned threads);
+searchByKdTree(const std::vector<Vector3>& points, int k);
 
 } // namespace symmetry
 } // namespace pcl

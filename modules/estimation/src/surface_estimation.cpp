@@ -1,4 +1,5 @@
 #include "base/renumbering.h"
+#include "base/thread_scope.h"
 #include "base/vector_math.h"
 #include "neighbour_search.h"
 #include "refuse_argument.h"
@@ -114,12 +115,10 @@ expandSelection(SymmetryResult& result, const Surface& surface, const std::vecto
 
 /** The caller's search, or PCL's kd-tree. */
 NeighbourSearch
-neighbourSearch(const detail::NeighbourSearchFunction& search, unsigned threads)
+neighbourSearch(const detail::NeighbourSearchFunction& search)
 {
   if (!search) {
-    return [threads](const std::vector<Vector3>& points, int k) {
-      return searchByKdTree(points, k, threads);
-    };
+    return searchByKdTree;
   }
   return [&search](const std::vector<Vector3>& points, int k) {
     const int possible = static_cast<int>(std::min(static_cast<std::size_t>(k), points.size()));
@@ -139,11 +138,12 @@ detail::estimateSelected(const Surface& surface,
   checkParameters(parameters);
   checkTriangles(surface);
   checkNormals(surface);
+  const ThreadScope threads(parameters.threads);
   StepTimer timer;
   if (progress) {
     timer = StepTimer(progress);
   }
-  const NeighbourSearch neighbours = neighbourSearch(search, parameters.threads);
+  const NeighbourSearch neighbours = neighbourSearch(search);
   if (selection == nullptr) {
     checkGivenNormals(surface, parameters);
     SymmetryResult result = runPipeline(surface, parameters, neighbours, timer);

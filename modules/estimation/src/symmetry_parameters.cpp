@@ -43,17 +43,16 @@ checkParameters(const SymmetryParameters& parameters)
   checkNamed("metric", metric_names, parameters.metric);
   checkNamed("normals", normal_source_names, parameters.normals);
   checkNamed("components", component_use_names, parameters.components);
-  checkNamed("extremities", extreme_points_names, parameters.extremities);
-  checkNamed("pairing", pairing_names, parameters.pairing);
+  checkNamed("staged.extremities", extreme_points_names, parameters.staged.extremities);
+  checkNamed("staged.pairing", pairing_names, parameters.staged.pairing);
   constexpr float largest = 1e30F;
   checkRange("k_search", parameters.k_search, 3, 256);
   checkRange("radius", parameters.radius, 0.0F, largest);
   checkRange("outlier_deviations", parameters.outlier_deviations, 0.0F, largest);
-  checkRange("landmarks", parameters.landmarks, 10, 1000);
-  if (parameters.samples != 0) {
-    checkRange("samples", parameters.samples, parameters.method == Method::Robust ? 30 : 20, 20000);
-  }
-  checkRange("embedding_dimensions", parameters.embedding_dimensions, 2, 20);
+  checkRange("robust.samples", parameters.robust.samples, 30, 20000);
+  checkRange("staged.landmarks", parameters.staged.landmarks, 10, 1000);
+  checkRange("staged.samples", parameters.staged.samples, 20, 20000);
+  checkRange("staged.embedding_dimensions", parameters.staged.embedding_dimensions, 2, 20);
   checkRange("alternatives", parameters.alternatives, 1, 100);
 }
 

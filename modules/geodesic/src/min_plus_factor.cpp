@@ -15,9 +15,9 @@ constexpr std::size_t largest_leaf = 32;
 
 } // namespace
 
-MinPlusFactor::MinPlusFactor(const SurfaceGraph& graph, double maximum_field_cost, unsigned threads)
+MinPlusFactor::MinPlusFactor(const SurfaceGraph& graph, double maximum_field_cost)
     : graph_(graph),
-      dissection_(dissect(graph, largest_leaf, threads)),
+      dissection_(dissect(graph, largest_leaf)),
       position_(graph.size()),
       node_at_(graph.size()),
       fronts_(dissection_.nodes.size())
@@ -233,7 +233,7 @@ MinPlusFactor::addUpdate(std::size_t child, std::size_t node, FrontScratch& scra
 }
 
 void
-MinPlusFactor::eliminate(std::size_t node, FrontScratch& scratch, unsigned threads)
+MinPlusFactor::eliminate(std::size_t node, FrontScratch& scratch)
 {
   assemble(node, scratch);
   Front& front = fronts_[node];
@@ -241,31 +241,31 @@ MinPlusFactor::eliminate(std::size_t node, FrontScratch& scratch, unsigned threa
   if (count == 0) {
     return;
   }
-  closeSymmetric(closure(node), count, front.own_stride, scratch.panel, threads);
+  closeSymmetric(closure(node), count, front.own_stride, scratch.panel);
   std::fill_n(scratch.distance.reserve(front.own_stride * front.boundary_stride),
               front.own_stride * front.boundary_stride, infinity);
   minPlus(scratch.distance.data(), front.boundary_stride, closure(node), front.own_stride, scratch.edges.data(),
-          front.boundary_stride, roundedUp(count, min_plus_rows), count, front.boundary_stride, threads);
+          front.boundary_stride, roundedUp(count, min_plus_rows), count, front.boundary_stride);
   // The update is symmetric: of each block of columns only the rows down to the diagonal are needed.
   const std::size_t rows = roundedUp(front.boundary_count, min_plus_rows);
   constexpr std::size_t panel = 4 * kernel_lanes;
   for (std::size_t j = 0; j < front.boundary_stride; j += panel) {
     const std::size_t columns = std::min(panel, front.boundary_stride - j);
     minPlus(front.update.data() + j, front.boundary_stride, scratch.edges.data(), front.boundary_stride,
-            scratch.distance.data() + j, front.boundary_stride, std::min(rows, j + columns), count, columns, threads);
+            scratch.distance.data() + j, front.boundary_stride, std::min(rows, j + columns), count, columns);
   }
   transposeBlocks(scratch.distance.data(), front.boundary_stride, front.own_stride, front.boundary_stride,
                   toBoundary(node), front.own_stride);
 }
 
 void
-MinPlusFactor::factorize(unsigned threads)
+MinPlusFactor::factorize()
 {
   closure_.reserve(closure_size_);
   to_boundary_.reserve(to_boundary_size_);
   // Subtrees that share no node are independent of each other. The nodes of a subtree are numbered one after another.
   constexpr std::size_t subtrees_per_thread = 4;
-  const std::size_t maximum_size = graph_.size() / (subtrees_per_thread * threadCount(threads, graph_.size())) + 1;
+  const std::size_t maximum_size = graph_.size() / (subtrees_per_thread * threadCount(graph_.size())) + 1;
   std::vector<std::pair<std::size_t, std::size_t>> subtrees; // first node and the one after the last
   std::vector<std::size_t> above;                            // nodes that belong to none
   std::size_t first = 0;                                     // the first node after those of the subtrees found
@@ -280,18 +280,18 @@ MinPlusFactor::factorize(unsigned threads)
       first = node + 1;
     }
   }
-  parallelBlocks(subtrees.size(), 1, threads, [&] {
+  parallelBlocks(subtrees.size(), 1, [&] {
     return [&, scratch = FrontScratch()](std::size_t begin, std::size_t end) mutable {
       for (std::size_t i = begin; i < end; ++i) {
         for (std::size_t node = subtrees[i].first; node < subtrees[i].second; ++node) {
-          eliminate(node, scratch, 1);
+          eliminate(node, scratch);
         }
       }
     };
   });
   FrontScratch scratch;
   for (const std::size_t node : above) {
-    eliminate(node, scratch, threads);
+    eliminate(node, scratch);
   }
 }
 

@@ -178,7 +178,7 @@ private:
 };
 
 void
-MinPlusFactor::fields(const std::vector<Index>& sources, float* rows, unsigned threads) const
+MinPlusFactor::fields(const std::vector<Index>& sources, float* rows) const
 {
   // Sources that are close to each other have most of their way up in common.
   std::vector<std::uint32_t> order(sources.size());
@@ -186,9 +186,9 @@ MinPlusFactor::fields(const std::vector<Index>& sources, float* rows, unsigned t
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return position_[sources[a]] < position_[sources[b]]; });
   const std::size_t share =
-      (sources.size() + threadCount(threads, sources.size()) - 1) / threadCount(threads, sources.size()); // of a thread
+      (sources.size() + threadCount(sources.size()) - 1) / threadCount(sources.size()); // of a thread
   const std::size_t batch = std::min(largest_batch, roundedUp(share, kernel_lanes));
-  parallelBlocks(sources.size(), batch, threads, [&] {
+  parallelBlocks(sources.size(), batch, [&] {
     return [&, work = FieldBatch(*this)](std::size_t begin, std::size_t end) mutable {
       std::uint32_t positions[largest_batch];
       float* fields[largest_batch];

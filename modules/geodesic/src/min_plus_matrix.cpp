@@ -16,13 +16,12 @@ minPlus(float* result,
         std::size_t right_stride,
         std::size_t rows,
         std::size_t depth,
-        std::size_t columns,
-        unsigned threads)
+        std::size_t columns)
 {
   constexpr std::size_t worth_threads = 4000000; // about 0.2 ms
-  const std::size_t parts = rows * depth * columns < worth_threads ? 1 : 2 * threadCount(threads, columns);
+  const std::size_t parts = rows * depth * columns < worth_threads ? 1 : 2 * threadCount(columns);
   const std::size_t grain = roundedUp(std::max<std::size_t>(1, (columns + parts - 1) / parts), kernel_lanes);
-  parallelBlocks(columns, grain, threads, [&] {
+  parallelBlocks(columns, grain, [&] {
     return [&](std::size_t begin, std::size_t end) {
       kernels().min_plus(result + begin, result_stride, left, left_stride, right + begin, right_stride, rows, depth,
                          end - begin);
@@ -31,7 +30,7 @@ minPlus(float* result,
 }
 
 void
-closeSymmetric(float* matrix, std::size_t count, std::size_t stride, FloatBlock& panel_memory, unsigned threads)
+closeSymmetric(float* matrix, std::size_t count, std::size_t stride, FloatBlock& panel_memory)
 {
   const KernelTable& table = kernels();
   float* panel = panel_memory.reserve(kernel_lanes * stride);
@@ -41,8 +40,7 @@ closeSymmetric(float* matrix, std::size_t count, std::size_t stride, FloatBlock&
     // Rows k .. of the matrix, with paths through the vertices of the tile; the tile is its own transpose.
     std::copy(rows, rows + kernel_lanes * stride, panel);
     table.min_plus(panel, stride, rows + k, stride, rows, stride, kernel_lanes, kernel_lanes, stride);
-    minPlus(matrix, stride, panel, stride, panel, stride, roundedUp(count, min_plus_rows), kernel_lanes, stride,
-            threads);
+    minPlus(matrix, stride, panel, stride, panel, stride, roundedUp(count, min_plus_rows), kernel_lanes, stride);
   }
 }
 

@@ -410,9 +410,9 @@ private:
 } // namespace
 
 Dissection
-dissect(const SurfaceGraph& graph, std::size_t largest_leaf, unsigned threads)
+dissect(const SurfaceGraph& graph, std::size_t largest_leaf)
 {
-  return Dissector(graph, largest_leaf).run(threadCount(threads, graph.size()));
+  return Dissector(graph, largest_leaf).run(threadCount(graph.size()));
 }
 
 } // namespace symmetry

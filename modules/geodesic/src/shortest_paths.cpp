@@ -44,9 +44,9 @@ struct EngineCosts {
 };
 
 void
-searchFields(const SurfaceGraph& graph, const std::vector<Index>& sources, float* rows, unsigned threads)
+searchFields(const SurfaceGraph& graph, const std::vector<Index>& sources, float* rows)
 {
-  parallelBlocks(sources.size(), 1, threads, [&] {
+  parallelBlocks(sources.size(), 1, [&] {
     return [&, queue = BucketQueue(graph)](std::size_t begin, std::size_t end) mutable {
       for (std::size_t i = begin; i < end; ++i) {
         float* field = rows + i * graph.size();
@@ -85,7 +85,7 @@ DistanceFieldSolver::~DistanceFieldSolver() = default;
 
 /** Whether there is a factor; makes it once it is expected to be faster for all sources so far than searching. */
 bool
-DistanceFieldSolver::isFactorized(unsigned threads)
+DistanceFieldSolver::isFactorized()
 {
   constexpr std::size_t minimum_sources = 24; // below, not even the analysis pays
   const auto count = static_cast<double>(sources_);
@@ -98,20 +98,20 @@ DistanceFieldSolver::isFactorized(unsigned threads)
     return factorized_;
   }
   if (factor_ == nullptr) {
-    factor_ = std::make_unique<MinPlusFactor>(graph_, search / EngineCosts::field_per_minimum, threads);
+    factor_ = std::make_unique<MinPlusFactor>(graph_, search / EngineCosts::field_per_minimum);
   }
   const double field =
       EngineCosts::field_per_minimum * factor_->cost().field + EngineCosts::field_per_vertex * vertices;
   if (factor_->feasible() &&
       EngineCosts::factor_per_minimum * factor_->cost().factor + count * field < search * count) {
-    factor_->factorize(threads);
+    factor_->factorize();
     factorized_ = true;
   }
   return factorized_;
 }
 
 DistanceFields
-DistanceFieldSolver::fields(const std::vector<Index>& sources, unsigned threads)
+DistanceFieldSolver::fields(const std::vector<Index>& sources)
 {
   constexpr std::size_t minimum_eliminated = 4; // a sweep costs as much for one source as for many
   DistanceFields fields;
@@ -120,19 +120,19 @@ DistanceFieldSolver::fields(const std::vector<Index>& sources, unsigned threads)
   preferLargePages(fields.values.data(), sources.size() * graph_.size() * sizeof(float));
   fields.values.resize(sources.size() * graph_.size());
   sources_ += sources.size();
-  if (isFactorized(threads) && sources.size() >= minimum_eliminated) {
-    factor_->fields(sources, fields.values.data(), threads);
+  if (isFactorized() && sources.size() >= minimum_eliminated) {
+    factor_->fields(sources, fields.values.data());
   }
   else {
-    searchFields(graph_, sources, fields.values.data(), threads);
+    searchFields(graph_, sources, fields.values.data());
   }
   return fields;
 }
 
 DistanceFields
-distanceFields(const SurfaceGraph& graph, const std::vector<Index>& sources, unsigned threads)
+distanceFields(const SurfaceGraph& graph, const std::vector<Index>& sources)
 {
-  return DistanceFieldSolver(graph).fields(sources, threads);
+  return DistanceFieldSolver(graph).fields(sources);
 }
 
 std::vector<Index>

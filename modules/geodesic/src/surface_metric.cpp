@@ -10,10 +10,10 @@ namespace pcl {
 namespace symmetry {
 
 DistanceFields
-GeodesicMetric::fields(const std::vector<Index>& sources, unsigned threads) const
+GeodesicMetric::fields(const std::vector<Index>& sources) const
 {
   const std::lock_guard<std::mutex> lock(solver_mutex_);
-  return solver_.fields(sources, threads);
+  return solver_.fields(sources);
 }
 
 std::vector<Index>
@@ -25,23 +25,22 @@ GeodesicMetric::farthestPoints(Index start, std::size_t count) const
 std::vector<Index>
 GeodesicMetric::midpoints(const std::vector<Index>& sources,
                           const DistanceFields& fields,
-                          const std::vector<Index>& targets,
-                          unsigned threads) const
+                          const std::vector<Index>& targets) const
 {
   std::vector<Index> middles(sources.size(), no_index);
-  parallelFor(sources.size(), threads, [&](std::size_t i) {
+  parallelFor(sources.size(), [&](std::size_t i) {
     middles[i] = pathMidpoint(graph_, shortestPath(graph_, fields.row(i), targets[i]));
   });
   return middles;
 }
 
 DistanceFields
-EuclideanMetric::fields(const std::vector<Index>& sources, unsigned threads) const
+EuclideanMetric::fields(const std::vector<Index>& sources) const
 {
   DistanceFields fields;
   fields.columns = points_.size();
   fields.values.resize(sources.size() * points_.size());
-  parallelFor(sources.size(), threads, [&](std::size_t i) {
+  parallelFor(sources.size(), [&](std::size_t i) {
     float* field = fields.values.data() + i * fields.columns;
     for (std::size_t v = 0; v < points_.size(); ++v) {
       field[v] = distance(points_[sources[i]], points_[v]);
@@ -79,11 +78,10 @@ EuclideanMetric::nearestVertex(const Vector3& position) const
 std::vector<Index>
 EuclideanMetric::midpoints(const std::vector<Index>& sources,
                            const DistanceFields& /*fields*/,
-                           const std::vector<Index>& targets,
-                           unsigned threads) const
+                           const std::vector<Index>& targets) const
 {
   std::vector<Index> middles(sources.size(), no_index);
-  parallelFor(sources.size(), threads,
+  parallelFor(sources.size(),
               [&](std::size_t i) { middles[i] = nearestVertex(0.5F * (points_[sources[i]] + points_[targets[i]])); });
   return middles;
 }

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pcl {
@@ -51,10 +52,17 @@ private:
   std::vector<std::size_t> slots_; ///< by number: index into the kept ones, or none
 };
 
-/** \brief Colours of formats that have no names for their fields: red, green, blue and perhaps alpha, as floats.
- * \return nullptr unless there are three or four values for each point */
+/** \brief A name that PLY and PCD take: what is no letter or digit becomes an underscore; one by \a number where there is
+ * none. */
+std::string
+plainFieldName(std::string_view word, std::size_t number);
+
+/** \brief Colours and texture coordinates of formats that have no names for their fields, as floats: red, green, blue and
+ * perhaps alpha, where there are three or four \a colours for each point; u and v, where there are two numbers of
+ * \a texture for each point.
+ * \return nullptr where there is neither */
 std::shared_ptr<const PointFields>
-colourFields(const std::vector<float>& values, std::size_t points);
+appearanceFields(const std::vector<float>& colours, const std::vector<float>& texture, std::size_t points);
 
 } // namespace symmetry
 } // namespace pcl

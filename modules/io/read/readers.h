@@ -46,5 +46,18 @@ readOff(const FileContent& file, Reading& reading);
 Surface
 readStl(const FileContent& file, Reading& reading);
 
+/** \brief Rows of numbers: x y z, and perhaps normal, colour and other values; see ColumnNames. */
+Surface
+readXyz(const FileContent& file, Reading& reading);
+
+/** \brief VTK's legacy files, text or binary, of both layouts: points, polygons, strips, and cells that are such. */
+Surface
+readVtk(const FileContent& file, Reading& reading);
+
+/** \brief Scenes that assimp reads, with their nodes' places: .glb, .gltf, .3mf. Points keep the numbers of the file: mesh
+ * after mesh in the order of the nodes. Only where built with PCL_SYMMETRY_WITH_ASSIMP. */
+Surface
+readScene(const FileContent& file, const std::string& ending, Reading& reading);
+
 } // namespace symmetry
 } // namespace pcl

@@ -5,6 +5,7 @@
 
 #include "io/read/file_content.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 
@@ -15,6 +16,7 @@ namespace symmetry {
 struct TextSyntax {
   bool hash_comments = false;       ///< `#` hides the rest of the line
   bool backslash_continues = false; ///< a backslash at the end of a line joins the next one to it
+  char separator = ' ';             ///< parts words as blanks do
 };
 
 /** \brief Walks through the lines of a text and the words of each line.
@@ -69,6 +71,13 @@ public:
   std::int64_t
   integer();
 
+  /** \brief The next characters, up to \a count. */
+  std::string_view
+  ahead(std::size_t count) const
+  {
+    return {next_, std::min(count, remaining())};
+  }
+
   /** \brief Makes sure that the line is read to its end.
    * \throws pcl::IOException the line holds a further word */
   void
@@ -118,6 +127,12 @@ private:
 
   void
   passLineEnd();
+
+  bool
+  isBlank(char c) const
+  {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == syntax_.separator;
+  }
 
   bool
   endsWord(const char* character) const;

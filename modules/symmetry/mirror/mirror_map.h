@@ -28,8 +28,7 @@ struct MirrorMap {
  * \param[in] reach distance beyond which a point is no partner
  */
 MirrorMap
-mapByMirror(
-    const PreparedSurface& surface, const PlaneReflection& plane, float tolerance, float reach, unsigned threads);
+mapByMirror(const PreparedSurface& surface, const PlaneReflection& plane, float tolerance, float reach);
 
 } // namespace symmetry
 } // namespace pcl

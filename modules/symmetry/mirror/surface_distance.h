@@ -50,6 +50,7 @@ private:
   std::vector<Vector3> middles_; ///< of the triangles of a mesh
   std::vector<float>
       radii_;      ///< of the triangles around their middles; of a cloud: how far the plane of each point reaches
+  float widest_;   ///< of the radii that are met all around
   PointGrid grid_; ///< of the middles, or of the points of a cloud
 };
 

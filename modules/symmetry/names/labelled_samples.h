@@ -23,8 +23,7 @@ ComparableSurface
 describeLabelled(const Surface& surface,
                  const std::vector<Side>& sides,
                  const std::vector<Index>& partners,
-                 const NeighbourSearch& search,
-                 unsigned threads);
+                 const NeighbourSearch& search);
 
 } // namespace symmetry
 } // namespace pcl

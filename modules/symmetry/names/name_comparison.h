@@ -29,10 +29,9 @@ struct NameComparison {
  * from 33 starts, upwards in their even functions (S. Melzi et al.: ZoomOut, 2019 \cite melzi2019zoomout) and guided by
  * their features. A map of the halves keeps the orientation, or turns it over; as maps of one body to another keep it,
  * the former carry source to source if the names are the same, the latter if they are not. Of either kind the one counts
- * that changes distances and features least, there and back.
- * \param[in] threads 0: all cores; the result does not depend on it */
+ * that changes distances and features least, there and back. The result does not depend on the number of threads. */
 NameComparison
-compareNames(const ComparableSurface& first, const ComparableSurface& second, unsigned threads);
+compareNames(const ComparableSurface& first, const ComparableSurface& second);
 
 } // namespace symmetry
 } // namespace pcl

@@ -48,7 +48,7 @@ nearestLandmarks(const Eigen::MatrixXf& distances, std::size_t count = kept_near
 /** \brief Takes the first \a landmarks samples; cost: one shortest-path search on the coarse graph for each.
  * \param[in] metric Euclidean: the mutual distances are straight lines */
 LandmarkSurface
-makeLandmarkSurface(const CoarseSurface& surface, std::size_t landmarks, Metric metric, unsigned threads);
+makeLandmarkSurface(const CoarseSurface& surface, std::size_t landmarks, Metric metric);
 
 /** \brief Marks what a map says something about: the landmarks that neither lie at a hole themselves nor are sent to
  * one, as what belongs into a hole is. All of them where that leaves hardly any. \param[in] map image of each landmark

@@ -34,7 +34,7 @@ struct SampleInterpolation {
  * do not span the plane (on a finger or a tail a cell wide). Cost O(n).
  */
 SampleInterpolation
-interpolateFromSamples(const PreparedSurface& surface, const CoarseSurface& coarse, unsigned threads);
+interpolateFromSamples(const PreparedSurface& surface, const CoarseSurface& coarse);
 
 } // namespace symmetry
 } // namespace pcl

@@ -18,7 +18,7 @@ namespace symmetry {
 
 /** \brief How finely a surface is sampled. */
 struct SamplingSettings {
-  std::size_t samples = 1500; ///< spaced by 1/40 of the diameter on a body: half as wide as a finger is long
+  std::size_t samples = static_cast<std::size_t>(RobustParameters{}.samples);
   std::size_t landmarks =
       600; ///< of the samples: hypotheses are made and judged among them, all pairs of distances fit a cache
   int eigenfunctions = 60;   ///< wavelengths down to about four spacings of the samples, what they can represent
@@ -39,7 +39,6 @@ struct SampledSurface {
   CellMembers members;               ///< points of each cell
   CellMembers probes;                ///< some of them
   ShapeDescriptor descriptor;        ///< of the samples
-  unsigned threads = 1;              ///< that work on it; results do not depend on their number
 
   /** \brief Whether there are enough eigenfunctions and any distances to search a symmetry by. */
   bool
@@ -59,11 +58,7 @@ constexpr std::size_t minimum_samples = 30;
  * \param[in,out] timer told of the steps sampling, embedding, geodesics, features
  * \throws Cancelled by the timer */
 SampledSurface
-sampleSurface(const PreparedSurface& surface,
-              const SamplingSettings& settings,
-              Metric metric,
-              unsigned threads,
-              StepTimer& timer);
+sampleSurface(const PreparedSurface& surface, const SamplingSettings& settings, Metric metric, StepTimer& timer);
 
 } // namespace symmetry
 } // namespace pcl

@@ -23,7 +23,7 @@ namespace symmetry {
 
 /** \brief For each row of \a queries the row of \a targets at the least Euclidean distance (ties: the lowest). */
 SampleMap
-nearestRows(const Eigen::MatrixXf& queries, const Eigen::MatrixXf& targets, unsigned threads = 1);
+nearestRows(const Eigen::MatrixXf& queries, const Eigen::MatrixXf& targets);
 
 /** \brief The symmetric matrix with eigenvalues +-1 that is nearest to \a matrix.
  *
@@ -55,10 +55,9 @@ public:
 
   /** \brief For each number of functions: the matrix of the map, made an involution, and the map of that matrix.
    * \param[in,out] map partner of each sample that takes part, among them
-   * \param[in] threads 0: all cores; the result does not depend on it
    * \return the last matrix */
   Eigen::MatrixXf
-  refine(SampleMap& map, unsigned threads = 1) const;
+  refine(SampleMap& map) const;
 
 private:
   struct Level {
@@ -69,7 +68,7 @@ private:
   };
 
   SampleMap
-  match(const Level& level, const Eigen::MatrixXf& matrix, unsigned threads) const;
+  match(const Level& level, const Eigen::MatrixXf& matrix) const;
 
   const ShapeDescriptor* descriptor_ = nullptr; ///< null: no guidance
   std::vector<Level> levels_;

@@ -26,10 +26,9 @@ public:
   explicit RowSearch(const Eigen::MatrixXf& targets);
 
   /** \brief For each row of \a queries the target at the least Euclidean distance (ties: the lowest).
-   * \param[in] queries one per row, of as many columns as the targets
-   * \param[in] threads 0: all cores */
+   * \param[in] queries one per row, of as many columns as the targets */
   std::vector<Index>
-  nearest(const Eigen::MatrixXf& queries, unsigned threads = 1) const;
+  nearest(const Eigen::MatrixXf& queries) const;
 
 private:
   Eigen::Index dimensions_ = 0;

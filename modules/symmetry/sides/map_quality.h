@@ -24,7 +24,7 @@ namespace symmetry {
  * largest landmark distance, in the unit of the prepared surface
  */
 MapSummary
-measureMap(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter, unsigned threads);
+measureMap(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter);
 
 } // namespace symmetry
 } // namespace pcl

@@ -33,8 +33,7 @@ CloudAsItStands::mirrored(float confidence, StepTimer& timer)
   if (planes.empty() || planes.front().share <= confidence) {
     return std::nullopt;
   }
-  const SampledSurface sampled =
-      sampleSurface(surface_, settings.sampling, parameters_.metric, parameters_.threads, timer);
+  const SampledSurface sampled = sampleSurface(surface_, settings.sampling, parameters_.metric, timer);
   if (sampled.coarse.size() < minimum_samples) {
     return std::nullopt;
   }

@@ -2,6 +2,7 @@
 
 #include "base/bounding_box.h"
 #include "base/centroid.h"
+#include "base/parallel.h"
 #include "base/statistics.h"
 #include "geodesic/farthest_point_sampling.h"
 #include "symmetry/map_delivery.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -40,7 +42,7 @@ mapByPlane(const SampledSurface& sampled, const PlaneReflection& plane, const Mi
   const float spacing = median(surface.graph.lengths);
   const float close =
       std::max(toleranceFor(surface, settings.planes), surface.is_cloud ? spacing : std::min(spacing, reach));
-  return mapByMirror(surface, plane, close, std::max(close, reach), sampled.threads);
+  return mapByMirror(surface, plane, close, std::max(close, reach));
 }
 
 /** The heights over the plane; what lies in it is on neither side. */
@@ -62,6 +64,39 @@ planesThatFit(const PreparedSurface& surface, const AreaSamples& samples, const 
   PlaneSearchSettings search = settings.planes;
   search.tolerance = toleranceFor(surface, settings.planes) / diagonalOf(surface);
   return findMirrorPlanes(samples, surface, search);
+}
+
+/** The shares of the area that points of a cloud stand for: as the square of the distance to the sixth nearest, as many as
+ * surround a point of an even lattice. Sampling evens a dense cloud out, but of one of few points all are samples: a lever
+ * of a hundred corners would weigh as much as a seat of as many. No point counts more than a typical one: what strays has
+ * the most room. */
+std::vector<float>
+areasAround(const std::vector<Vector3>& points)
+{
+  constexpr std::size_t neighbours = 6;
+  constexpr std::size_t grain = 64;
+  std::vector<float> areas(points.size(), 1.0F);
+  if (points.size() > neighbours) {
+    parallelBlocks(points.size(), grain, [&] {
+      return [&, squares = std::vector<float>(points.size())](std::size_t begin, std::size_t end) mutable {
+        for (std::size_t i = begin; i < end; ++i) {
+          std::transform(points.begin(), points.end(), squares.begin(), [&](const Vector3& p) {
+            const Vector3 apart = p - points[i];
+            return dot(apart, apart);
+          });
+          std::nth_element(squares.begin(), squares.begin() + neighbours,
+                           squares.end()); // the nearest is the point itself
+          areas[i] = squares[neighbours];
+        }
+      };
+    });
+    const float typical = median(areas);
+    std::transform(areas.begin(), areas.end(), areas.begin(), [&](float area) { return std::min(area, typical); });
+  }
+  const float sum = std::accumulate(areas.begin(), areas.end(), 0.0F);
+  std::transform(areas.begin(), areas.end(), areas.begin(),
+                 [&](float area) { return sum > 0.0F ? area / sum : 1.0F / static_cast<float>(points.size()); });
+  return areas;
 }
 
 std::size_t
@@ -113,7 +148,7 @@ mirrorPlanesOf(const PreparedSurface& cloud, std::size_t samples, const MirrorSe
     even.points.push_back(cloud.points[v]);
     even.normals.push_back(cloud.normals[v]);
   }
-  even.areas.assign(even.size(), 1.0F / static_cast<float>(std::max<std::size_t>(1, even.size())));
+  even.areas = areasAround(even.points);
   return planesThatFit(cloud, even, settings);
 }
 

@@ -29,8 +29,7 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
     return estimateStaged(prepared, parameters, timer);
   }
   RobustSettings settings;
-  const float usual =
-      parameters.samples > 0 ? static_cast<float>(parameters.samples) : static_cast<float>(settings.sampling.samples);
+  const auto usual = static_cast<float>(parameters.robust.samples);
   settings.sampling.samples = std::max(minimum_samples, static_cast<std::size_t>(std::lround(samples * usual)));
   return estimateRobust(prepared, parameters, settings, timer);
 }
@@ -109,7 +108,7 @@ estimateInto(SymmetryResult& result,
   timer.start("quality", 0.85);
   MapSummary measured;
   if (!estimate.partners.empty()) {
-    measured = measureMap(prepared, estimate.partners, estimate.diameter, parameters.threads);
+    measured = measureMap(prepared, estimate.partners, estimate.diameter);
     const float twins = shareOfTwinParts(prepared, estimate.partners);
     result.confidence = std::min({result.confidence, confidenceBound(measured), twins});
   }

@@ -36,7 +36,7 @@ bool
 areAlike(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
 {
   constexpr float near = 0.1F; // surfaces are at unit scale
-  constexpr double most = 0.7;
+  constexpr double most = 0.7; // by hand
   std::size_t both = 0;
   std::size_t alike = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -137,9 +137,9 @@ RivalInterpretations::isSettled() const
   if (pooling_ == Pooling::Odds) {
     return !estimate.is_partial && shareOfOdds(best) >= in_doubt;
   }
-  constexpr float beyond_doubt = 0.9F;
+  constexpr float beyond_doubt = 0.9F;  // this and the next two by hand
   constexpr float sure_together = 2.0F; // three interpretations that agree, each sure enough alone
-  constexpr float usually = 0.6F;
+  constexpr float usually = 0.6F;       // of all interpretations so far
   float contradicting = 0.0F;
   for (std::size_t i = 0; i < rivals_.size(); ++i) {
     contradicting += i == best ? 0.0F : rivals_[i].evidence;

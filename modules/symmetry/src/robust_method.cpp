@@ -33,8 +33,7 @@ estimateRobust(const PreparedSurface& surface,
     return tooFewPoints();
   }
   // Sample: evenly spaced samples, their eigenfunctions, the distances between the first of them, their features.
-  const SampledSurface sampled =
-      sampleSurface(surface, settings.sampling, parameters.metric, parameters.threads, timer);
+  const SampledSurface sampled = sampleSurface(surface, settings.sampling, parameters.metric, timer);
   if (sampled.coarse.size() < minimum_samples) {
     return tooFewPoints();
   }

@@ -27,7 +27,7 @@ enum class FeatureSet {
 class BaseVertices {
 public:
   /** \param[in] metric referred to, not copied */
-  BaseVertices(const SurfaceMetric& metric, unsigned threads) : metric_(metric), threads_(threads)
+  explicit BaseVertices(const SurfaceMetric& metric) : metric_(metric)
   {
   }
 
@@ -79,7 +79,6 @@ private:
   rows(Side side, FeatureSet set) const;
 
   const SurfaceMetric& metric_;
-  unsigned threads_;
   DistanceFields source_fields_;
   DistanceFields target_fields_;
   DistanceFields midpoint_fields_;

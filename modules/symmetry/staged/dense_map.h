@@ -20,10 +20,9 @@ struct DenseMap {
  *
  * \param[in] base base vertices of the last stage
  * \param[in] sides side function without zeros, see absorbSpecks (); where one side is empty no vertex has a partner
- * \param[in] threads 0: all cores
  */
 DenseMap
-denseMap(const BaseVertices& base, const std::vector<float>& sides, unsigned threads);
+denseMap(const BaseVertices& base, const std::vector<float>& sides);
 
 } // namespace symmetry
 } // namespace pcl

@@ -27,10 +27,9 @@ public:
 
   /** \brief The best candidate of every query.
    * \param[in] queries of the same dimensions as the candidates
-   * \param[in] threads 0: all cores; the result does not depend on it
    */
   std::vector<FeatureMatch>
-  match(const FeatureVectors& queries, unsigned threads) const;
+  match(const FeatureVectors& queries) const;
 
 private:
   struct Node {

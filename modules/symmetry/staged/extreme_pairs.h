@@ -44,8 +44,7 @@ ExtremePairs
 pairExtremePoints(const std::array<Index, 4>& points,
                   const std::vector<float>& feature,
                   const SurfaceMetric& metric,
-                  const std::vector<Index>& landmarks,
-                  unsigned threads);
+                  const std::vector<Index>& landmarks);
 
 /** \brief Chooses two pairs of partners among extreme points, of which some are none.
  *
@@ -68,8 +67,7 @@ ExtremePairs
 chooseExtremePairs(const std::vector<Index>& points,
                    const std::vector<float>& feature,
                    const SurfaceMetric& metric,
-                   const std::vector<Index>& landmarks,
-                   unsigned threads);
+                   const std::vector<Index>& landmarks);
 
 /** \brief The function that the parameters choose for pairing. */
 const std::vector<float>&

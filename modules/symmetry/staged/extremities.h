@@ -53,7 +53,7 @@ struct ExtremityFunctions {
  * distance of two maxima
  */
 ExtremityFunctions
-extremityFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, float separation, unsigned threads);
+extremityFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, float separation);
 
 } // namespace symmetry
 } // namespace pcl

@@ -31,10 +31,9 @@ struct SpectralEmbedding {
  * \param[in] fields distance fields of the landmarks, row i that of landmarks[i]
  * \param[in] landmarks their vertices
  * \param[in] dimensions number of coordinates; fewer are returned where fewer eigenvalues are positive
- * \param[in] threads 0: all cores
  */
 SpectralEmbedding
-embedByLandmarks(const DistanceFields& fields, const std::vector<Index>& landmarks, int dimensions, unsigned threads);
+embedByLandmarks(const DistanceFields& fields, const std::vector<Index>& landmarks, int dimensions);
 
 } // namespace symmetry
 } // namespace pcl

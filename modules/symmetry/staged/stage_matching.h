@@ -24,7 +24,7 @@ struct Matchable {
  * candidates
  */
 std::vector<SymmetricMatch>
-matchVertices(const BaseVertices& base, const Matchable& vertices, Side side, FeatureSet set, unsigned threads);
+matchVertices(const BaseVertices& base, const Matchable& vertices, Side side, FeatureSet set);
 
 /** \brief The matches of least cost, at most \a count, cheapest first; of equal ones those of the lower source. */
 std::vector<SymmetricMatch>
@@ -45,8 +45,7 @@ std::vector<SymmetricMatch>
 matchExtremities(const BaseVertices& base,
                  const std::vector<Region>& regions,
                  const std::vector<Index>& extremities,
-                 std::size_t kept,
-                 unsigned threads);
+                 std::size_t kept);
 
 /** \brief Stages 3 and 4: matches samples of the source limbs and the centre with all vertices of the target limbs and
  * of the centre's other side, and keeps the cheapest \a kept per mapping.
@@ -60,8 +59,7 @@ matchSamples(const BaseVertices& base,
              const std::vector<float>& sides,
              const std::vector<Index>& samples,
              FeatureSet set,
-             std::size_t kept,
-             unsigned threads);
+             std::size_t kept);
 
 } // namespace symmetry
 } // namespace pcl

@@ -18,7 +18,7 @@ namespace symmetry {
  * points, NoSymmetry where the surface has fewer than four distinct extreme points, no pair of limbs can be matched or
  * the confidence is below minimum_trusted_confidence.
  * \param[in] surface connected, at unit scale
- * \param[in] parameters metric, landmarks, samples (0: 100), embedding_dimensions, pairing, sparse_only, threads
+ * \param[in] parameters metric, staged, sparse_only
  * \param[in,out] timer told of the steps sampling, geodesics, embedding, hypotheses, matching, dense
  * \throws Cancelled by the timer
  */

@@ -11,7 +11,6 @@ namespace symmetry {
 /** \brief Stages, see staged_method.h. */
 struct StageSettings {
   std::size_t average_samples = 100; ///< for AGD; from the paper, section 3.1
-  std::size_t default_samples = 100; ///< for stages 3 and 4; from the paper, section 3.3
   std::size_t kept_extremities = 5;  ///< matches of stages 1 and 2, per pair of limbs; from the paper, section 3.3
   std::size_t kept_in_stage_3 = 20;  ///< matches per mapping of regions; from the paper, section 3.3
   std::size_t kept_in_stage_4 = 30;  ///< the same

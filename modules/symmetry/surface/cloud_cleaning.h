@@ -46,7 +46,7 @@ resample(UsablePoints& usable,
 /** \brief Gives the points without a normal the one of the plane through their neighbours, to be turned as those
  * around. */
 void
-completeNormals(UsablePoints& usable, unsigned threads);
+completeNormals(UsablePoints& usable);
 
 } // namespace symmetry
 } // namespace pcl

@@ -43,7 +43,7 @@ replaced(std::string text, const std::string& from, const std::string& to)
 const std::vector<BrokenFile> broken_files = {
     // Any format
     {"empty.ply", "", {"empty"}},
-    {"unknown.xyz", "0 0 0\n", {"unknown ending", ".xyz"}},
+    {"unknown.stp", "0 0 0\n", {"unknown ending", ".stp"}},
     {"packed.ply", "\x1F\x8B\x08", {"compressed by gzip", ".gz"}},
     {"text.ply.gz", "ply\n", {"not compressed by gzip"}},
     {"wide.obj", std::string("\xFF\xFEv\0 \0", 6), {"UTF-16"}},
@@ -285,6 +285,9 @@ TEST_F(BrokenFiles, DamagedAnywhere)
                                                           .str());
   files.emplace_back("text.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   files.emplace_back("text.obj", "v 0 0 0\nv 1 0 0\nvn 0 0 1\nv 0 1 0\nf 1/2/1 2//1 -1\n");
+  files.emplace_back("texture.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvt 1 0\nf 1/1 2/2 3/-1\n");
+  files.emplace_back("names.xyz", "3\n//X Y Z r g b\n1 2 3 4 5 6\n1,2,3,4,5,6\n-1.5 nan 2e3 0 0 1 # x\n");
+  files.emplace_back("plain.xyz", "1;2;3;0;0;1\n-1;-2;-3;1;0;0\n");
   for (const auto& [name, content] : files) {
     SCOPED_TRACE(name);
     for (std::size_t i = 0; i < content.size(); ++i) {

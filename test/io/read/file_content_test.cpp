@@ -1,5 +1,6 @@
 // A file in memory, byte by byte, and messages that name it. What cannot be read at all: broken_files_test.cpp.
 #include "io/read/file_content.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/exceptions.h>

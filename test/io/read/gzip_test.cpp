@@ -1,5 +1,6 @@
 // Files compressed by gzip, made by Boost's compressor.
 #include "io/read/file_content.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>

@@ -1,6 +1,7 @@
 // What writeLabelledSurface () writes is read back; what it did not write is refused.
 #include "io/read/labelled_surface.h"
 #include "io/sample_result.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>

@@ -2,6 +2,7 @@
 #include "base/map_offset.h"
 #include "io/sample_result.h"
 #include "support/bytes.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>

@@ -1,5 +1,6 @@
 // What a PCD header says, and headers whose lines do not agree. Damaged ones at random: broken_files_test.cpp.
 #include "io/read/pcd_header.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/exceptions.h>

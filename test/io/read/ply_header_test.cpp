@@ -1,5 +1,6 @@
 // What a PLY header says, and headers that are none. Damaged ones at random: broken_files_test.cpp.
 #include "io/read/ply_header.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/exceptions.h>

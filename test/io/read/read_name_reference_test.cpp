@@ -1,6 +1,7 @@
 // References for the names of sides: files that were labelled before; others are refused, with the reason.
 #include "io/sample_result.h"
 #include "support/known_body.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>

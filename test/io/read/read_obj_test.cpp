@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstring>
+
 namespace pcl {
 namespace symmetry {
 namespace test {
@@ -40,6 +43,43 @@ TEST_F(ReadObj, NormalsOneForEachPoint)
   EXPECT_EQ(kept.normals[1], (Vector3{0.0F, 1.0F, 0.0F}));
   const Surface crossed = readSurface(write("crossed.obj", square + normals + "f 1//2 2//1 3//3\n"));
   EXPECT_TRUE(crossed.normals.empty());
+}
+
+/** Values of a field of floats. */
+std::vector<float>
+floatsOf(const Surface& surface, const std::string& name)
+{
+  std::vector<float> values;
+  if (surface.fields != nullptr)
+    for (const PointField& field : surface.fields->fields)
+      if (field.name == name) {
+        values.resize(field.values.size() / sizeof(float));
+        std::memcpy(values.data(), field.values.data(), field.values.size());
+      }
+  return values;
+}
+
+TEST_F(ReadObj, TextureCoordinatesAreThoseOfThePointsCorners)
+{
+  const Surface surface = readSurface(write(
+      "texture.obj", square + "vt 0.5 0.25\nvt 1\nvt 0 0.75 0\nf 2/1 1/2 3/3\nf 1/2 3/3 2/-3\n")); // 2/1 once more
+  const std::vector<float> u = floatsOf(surface, "u");
+  const std::vector<float> v = floatsOf(surface, "v");
+  ASSERT_EQ(u.size(), 4U);
+  EXPECT_EQ((std::vector<float>{u[0], u[1], u[2]}), (std::vector<float>{1.0F, 0.5F, 0.0F}));
+  EXPECT_EQ((std::vector<float>{v[0], v[1], v[2]}), (std::vector<float>{0.0F, 0.25F, 0.75F}));
+  EXPECT_TRUE(std::isnan(u[3])) << "of no corner";
+  EXPECT_TRUE(surface.notes.empty());
+}
+
+TEST_F(ReadObj, AtASeamOfTheTextureTheFirstFaceCounts)
+{
+  const Surface surface = readSurface(
+      write("seam.obj", square + "vt 0 0\nvt 1 1\nvt 1 1\nf 1/1 2/2 3/2\nf 1/2 3/3 4/9\n")); // 3: equal, 4: none
+  EXPECT_EQ(floatsOf(surface, "u").at(0), 0.0F);
+  EXPECT_TRUE(std::isnan(floatsOf(surface, "u").at(3)));
+  ASSERT_EQ(surface.notes.size(), 1U);
+  EXPECT_EQ(surface.notes[0].substr(0, 30), "1 points lie on seams of the t");
 }
 
 TEST_F(ReadObj, NegativeNumbersCountFromTheCurrentEnd)

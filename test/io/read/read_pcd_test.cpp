@@ -1,4 +1,5 @@
 #include "support/bytes.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/symmetry/surface_io.h>

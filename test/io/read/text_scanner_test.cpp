@@ -1,5 +1,6 @@
 // Lines and words of a text, whatever ends a line, and numbers exactly as the standard library rounds them.
 #include "io/read/text_scanner.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/exceptions.h>

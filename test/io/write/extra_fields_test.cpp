@@ -185,6 +185,7 @@ TEST_F(ExtraFields, ColoursOfObjAndOff)
     SCOPED_TRACE(name);
     const Surface surface = readSurface(write(name, content));
     EXPECT_EQ(valuesOf<float>(surface, "red"), std::vector<float>(6, 0.5F));
+    EXPECT_EQ(valuesOf<float>(surface, "v"), std::vector<float>(std::string(name) == "b.off" ? 6 : 0, 0.75F));
     EXPECT_EQ(valuesOf<float>(surface, "blue"), std::vector<float>(6, 0.125F));
     EXPECT_EQ(valuesOf<float>(surface, "alpha"), std::vector<float>(std::string(name) == "a.obj" ? 0 : 6, 1.0F));
     writeLabelledSurface(path("out.ply"), surface, roofSymmetry());
@@ -192,6 +193,29 @@ TEST_F(ExtraFields, ColoursOfObjAndOff)
   }
   EXPECT_EQ(readSurface(write("some.obj", obj + "v 1 2 3\n")).fields, nullptr) << "not all points have a colour";
   EXPECT_EQ(readSurface(write("weight.obj", "v 1 2 3 1\nv 1 2 4 1\n")).fields, nullptr);
+}
+
+TEST_F(ExtraFields, TextureCoordinatesOfObjAndOff)
+{
+  std::string obj;
+  std::string off = "STOFF\n6 0 0\n";
+  std::string binary = "STOFF BINARY\n" + Bytes(true).add(6, 0, 0).str();
+  for (const Vector3& p : roof().points) {
+    const std::string position = std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]);
+    obj += "v " + position + "\n";
+    off += position + " 0.25 0.75\n";
+    binary += Bytes(true).add(p[0], p[1], p[2], 0.25F, 0.75F).str();
+  }
+  obj += "vt 0.25 0.75\nf 1/1 2/1 3/1\nf 4/1 5/1 6/1\n";
+  for (const auto& [name, content] : {std::pair{"a.obj", obj}, {"b.off", off}, {"c.off", binary}}) {
+    SCOPED_TRACE(name);
+    writeLabelledSurface(path("out.ply"), readSurface(write(name, content)), roofSymmetry());
+    writeLabelledSurface(path("out.pcd"), readSurface(path(name)), roofSymmetry());
+    for (const char* labelled : {"out.ply", "out.pcd"}) {
+      EXPECT_EQ(valuesOf<float>(readSurface(path(labelled)), "u"), std::vector<float>(6, 0.25F));
+      EXPECT_EQ(valuesOf<float>(readSurface(path(labelled)), "v"), std::vector<float>(6, 0.75F));
+    }
+  }
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // Files that appear whole or not at all. Links, and failures of the writers: writers_test.cpp.
 #include "io/write/output_file.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/exceptions.h>

@@ -83,7 +83,7 @@ TEST_F(Report, NamesAllParameters)
   parameters.method = Method::Staged;
   parameters.metric = Metric::Euclidean;
   parameters.normals = NormalSource::Given;
-  parameters.pairing = PairingFeature::BySurfaceSize;
+  parameters.staged.pairing = PairingFeature::BySurfaceSize;
   parameters.components = ComponentUse::Largest;
   parameters.radius = 0.1F;
   parameters.label_axis = false;
@@ -91,17 +91,19 @@ TEST_F(Report, NamesAllParameters)
   writeReport(path("report.json"), "a.ply", parameters, roofSymmetry());
   const Json written = Json::parse(read(path("report.json"))).at("parameters");
   const Json expected = {{"method", "staged"},
+                         {"robust", {{"samples", 1500}}},
+                         {"staged",
+                          {{"landmarks", 100},
+                           {"samples", 100},
+                           {"embedding_dimensions", 3},
+                           {"extremities", "nine"},
+                           {"pairing", "size"}}},
                          {"metric", "euclidean"},
                          {"k_search", 10},
                          {"radius", 0.1},
                          {"normals", "given"},
                          {"components", "largest"},
                          {"outlier_deviations", 0.0},
-                         {"landmarks", 100},
-                         {"samples", 0},
-                         {"embedding_dimensions", 3},
-                         {"extremities", "nine"},
-                         {"pairing", "size"},
                          {"sparse_only", false},
                          {"label_axis", false},
                          {"alternatives", 1},

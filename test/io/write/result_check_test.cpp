@@ -1,6 +1,7 @@
 // Results that belong to a surface, and all the ways not to.
 #include "io/sample_result.h"
 #include "io/write/result_check.h"
+#include "support/messages.h"
 #include "support/temporary_folder.h"
 
 #include <pcl/exceptions.h>

@@ -1,5 +1,7 @@
 #include "support/coarse_body.h"
+#include "support/landmark_maps.h"
 #include "support/symmetric_shapes.h"
+#include "support/with_threads.h"
 #include "symmetry/confidence/distinct_symmetries.h"
 #include "symmetry/confidence/map_confidence.h"
 
@@ -24,9 +26,9 @@ analyse(const Surface& mesh, std::size_t most = 10)
   shape.body.surface = preparedMesh(mesh);
   shape.body.coarse = coarsenSurface(shape.body.surface, 1000);
   shape.body.basis = laplacianBasis(shape.body.coarse, 50);
-  shape.body.landmarks = makeLandmarkSurface(shape.body.coarse, 400, Metric::Geodesic, 2);
+  shape.body.landmarks = withThreads(2, [&] { return makeLandmarkSurface(shape.body.coarse, 400, Metric::Geodesic); });
   const SearchSettings settings;
-  const SampledSurface sampled = shape.body.sampled(2);
+  const SampledSurface sampled = shape.body.sampled();
   const std::vector<SymmetryCandidate> candidates = searchSymmetries(sampled, settings);
   shape.found = distinctSymmetries(sampled.landmarks, sampled.descriptor, candidates, settings, most);
   return shape;
@@ -42,20 +44,11 @@ rigidMap(const LandmarkSurface& landmarks, bool reflect, double turn)
   }
   const auto c = static_cast<float>(std::cos(turn));
   const auto s = static_cast<float>(std::sin(turn));
-  SampleMap map;
-  for (const Vector3& p : landmarks.points) {
+  return mapOf(landmarks, [&](const Vector3& p) {
     const float x = (reflect ? -1.0F : 1.0F) * (p[0] - centre[0]);
     const float z = p[2] - centre[2];
-    const Vector3 image{centre[0] + c * x + s * z, p[1], centre[2] - s * x + c * z};
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < landmarks.size(); ++i) {
-      if (distance(landmarks.points[i], image) < distance(landmarks.points[nearest], image)) {
-        nearest = i;
-      }
-    }
-    map.push_back(static_cast<Index>(nearest));
-  }
-  return map;
+    return Vector3{centre[0] + c * x + s * z, p[1], centre[2] - s * x + c * z};
+  });
 }
 
 /** How many of the known maps are among the found ones. */

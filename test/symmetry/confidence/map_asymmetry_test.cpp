@@ -37,7 +37,7 @@ Finding
 judgeBest(Body kind)
 {
   const CoarseBody body = coarseBody(kind, 1.0);
-  return judge(body, searchSymmetries(body.sampled(2), SearchSettings{}).at(0).map);
+  return judge(body, searchSymmetries(body.sampled(), SearchSettings{}).at(0).map);
 }
 
 TEST(FindAsymmetry, SeesNoneInTheIdentity)

@@ -32,7 +32,7 @@ TEST(PointConfidences, FollowTheEvidenceAroundEachPoint)
   const Surface body = test::bentHuman().surface;
   const PreparedSurface surface = test::preparedMesh(body);
   StepTimer timer;
-  const SampledSurface sampled = sampleSurface(surface, {}, Metric::Geodesic, 1, timer);
+  const SampledSurface sampled = sampleSurface(surface, {}, Metric::Geodesic, timer);
   std::vector<PointEvidence> evidence(sampled.landmarks.size(), {0.1F, 0.004F, 1.0F});
   const std::vector<float> sure = pointConfidences(sampled, evidence, 0.95F);
   ASSERT_EQ(sure.size(), surface.size());

@@ -1,6 +1,7 @@
 // Local change of distances, support, and the parts that are left out.
 #include "support/coarse_body.h"
 #include "support/human.h"
+#include "support/with_threads.h"
 #include "symmetry/confidence/local_change.h"
 #include "symmetry/confidence/support.h"
 #include "symmetry/confidence/unsupported_parts.h"
@@ -51,10 +52,10 @@ around(const CoarseBody& body, Index landmark, float radius)
 TEST(LocalDistanceChange, IsSmallEverywhereUnderTheTrueMap)
 {
   const CoarseBody& body = human();
-  const std::vector<float> change = localDistanceChange(body.sampled(1), truePartners(body));
+  const std::vector<float> change = localDistanceChange(body.sampled(), truePartners(body));
   ASSERT_EQ(change.size(), body.landmarks.size());
   EXPECT_LT(*std::max_element(change.begin(), change.end()), SupportSettings{}.change);
-  EXPECT_EQ(change, localDistanceChange(body.sampled(4), truePartners(body)));
+  EXPECT_EQ(change, withThreads(4, [&] { return localDistanceChange(body.sampled(), truePartners(body)); }));
 }
 
 TEST(LocalDistanceChange, OfTheIdentityIsNone)

@@ -1,5 +1,6 @@
 #include "support/boxes.h"
 #include "support/graphs.h"
+#include "support/with_threads.h"
 #include "symmetry/mirror/mirror_map.h"
 #include "symmetry/surface/mesh_cleaning.h"
 
@@ -35,7 +36,7 @@ TEST(MapByMirror, KeepsAPartTogetherWhereAnotherPartIsNearer)
   addBox(mesh, {0.204F, 0.0F, 0.0F}, {0.304F, 0.1F, 0.4F}); // its twin, a little off
   addBox(mesh, {0.3F, 0.1F, 0.4F}, {0.5F, 0.3F, 0.5F});     // with a corner where one of the first box should be
   const PreparedSurface surface = inParts(mesh);
-  const MirrorMap map = mapByMirror(surface, {{1, 0, 0}, 0.0F}, 0.01F, 0.05F, 1);
+  const MirrorMap map = mapByMirror(surface, {{1, 0, 0}, 0.0F}, 0.01F, 0.05F);
   for (std::size_t v = 0; v < 8; ++v) {
     ASSERT_NE(map.partners[v], no_index);
     EXPECT_EQ(surface.part_of[map.partners[v]], surface.part_of[8]) << v;
@@ -45,7 +46,7 @@ TEST(MapByMirror, KeepsAPartTogetherWhereAnotherPartIsNearer)
 TEST(MapByMirror, SendsEveryCornerToItsImageOnTheTwinPart)
 {
   const PreparedSurface surface = chair();
-  const MirrorMap map = mapByMirror(surface, {{1, 0, 0}, 0.0F}, 0.01F, 0.05F, 1);
+  const MirrorMap map = mapByMirror(surface, {{1, 0, 0}, 0.0F}, 0.01F, 0.05F);
   for (std::size_t v = 0; v < surface.size(); ++v) {
     ASSERT_NE(map.partners[v], no_index);
     const Vector3& p = surface.points[v];
@@ -61,7 +62,7 @@ TEST(MapByMirror, LeavesOutWhatHasNothingInItsPlace)
   for (Vector3& p : surface.points) {
     p[0] += p[0] < -0.22F && p[2] > 0.6F ? -0.2F : 0.0F; // the upper end of one arm rest and of the back
   }
-  const MirrorMap map = mapByMirror(surface, {{1, 0, 0}, 0.0F}, 0.01F, 0.05F, 1);
+  const MirrorMap map = mapByMirror(surface, {{1, 0, 0}, 0.0F}, 0.01F, 0.05F);
   std::size_t left_out = 0;
   for (std::size_t v = 0; v < surface.size(); ++v) {
     left_out += map.partners[v] == no_index ? 1U : 0U;
@@ -75,7 +76,8 @@ TEST(MapByMirror, IsTheSameForAnyNumberOfThreads)
 {
   const PreparedSurface surface = chair();
   const PlaneReflection plane{normalized({1.0F, 0.1F, 0.0F}), 0.01F};
-  EXPECT_EQ(mapByMirror(surface, plane, 0.05F, 0.1F, 1).partners, mapByMirror(surface, plane, 0.05F, 0.1F, 3).partners);
+  EXPECT_EQ(mapByMirror(surface, plane, 0.05F, 0.1F).partners,
+            withThreads(3, [&] { return mapByMirror(surface, plane, 0.05F, 0.1F); }).partners);
 }
 
 } // namespace

@@ -1,7 +1,6 @@
-#include "support/shapes.h"
+#include "support/prepared.h"
 #include "symmetry/mirror/plane_alignment.h"
 #include "symmetry/samples/coarse_surface.h"
-#include "symmetry/surface/surface_preparation.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +24,7 @@ turnedPlane(float angle, std::size_t towards)
 }
 
 struct Sampled {
-  explicit Sampled(const Surface& mesh) : surface(prepareSurface(mesh, SymmetryParameters{}, NeighbourSearch{}))
+  explicit Sampled(const Surface& mesh) : surface(preparedMesh(mesh))
   {
     const CoarseSurface coarse = coarsenSurface(surface, 500);
     samples = {coarse.points, coarse.normals, coarse.areas};

@@ -1,10 +1,10 @@
 #include "base/bounding_box.h"
 #include "support/boxes.h"
 #include "support/known_body.h"
+#include "support/prepared.h"
 #include "support/shapes.h"
 #include "symmetry/mirror/plane_search.h"
 #include "symmetry/samples/coarse_surface.h"
-#include "symmetry/surface/surface_preparation.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 std::vector<MirrorFit>
 planesOf(const Surface& mesh)
 {
-  const PreparedSurface surface = prepareSurface(mesh, SymmetryParameters{}, NeighbourSearch{});
+  const PreparedSurface surface = preparedMesh(mesh);
   const CoarseSurface coarse = coarsenSurface(surface, 800);
   return findMirrorPlanes({coarse.points, coarse.normals, coarse.areas}, surface, PlaneSearchSettings{});
 }
@@ -70,7 +70,7 @@ TEST(FindMirrorPlanes, FindsThePlaneOfABodyAtRestInAnyPosition)
     ASSERT_EQ(planes.size(), 1U);
     EXPECT_GT(planes[0].share, 0.99F);
     // It swaps the partners, in the unit box too.
-    const PreparedSurface surface = prepareSurface(mesh, SymmetryParameters{}, NeighbourSearch{});
+    const PreparedSurface surface = preparedMesh(mesh);
     for (std::size_t v = 0; v < surface.size(); v += 7) {
       const Index partner = model.partners[v];
       if (partner != no_index) {

@@ -22,7 +22,7 @@ TEST(LabelledSamples, HaveTheSidesAndPartnersOfTheirPoints)
 {
   const Model model = body(Body::Human, 0.0);
   const ComparableSurface surface =
-      describeLabelled(model.surface, leftAndRight(model), model.partners, NeighbourSearch{}, 1);
+      describeLabelled(model.surface, leftAndRight(model), model.partners, NeighbourSearch{});
   ASSERT_TRUE(surface.isComparable());
   EXPECT_NEAR(surface.sides.dot(surface.areas), 0.0, 0.05); // both halves are of one size
   EXPECT_GT(surface.sides.cwiseAbs().dot(surface.areas) / surface.areas.sum(), 0.8);
@@ -32,12 +32,12 @@ TEST(LabelledSamples, OfPointsWithoutPartnersAreLeftOut)
 {
   const Model model = body(Body::Human, 0.0);
   std::vector<Index> none(model.partners.size(), no_index);
-  EXPECT_FALSE(describeLabelled(model.surface, leftAndRight(model), none, NeighbourSearch{}, 1).isComparable());
+  EXPECT_FALSE(describeLabelled(model.surface, leftAndRight(model), none, NeighbourSearch{}).isComparable());
   std::vector<Index> upper = model.partners;
   for (std::size_t v = 0; v < upper.size(); ++v) {
     upper[v] = model.surface.points[v][2] < 0.0F ? no_index : upper[v];
   }
-  EXPECT_TRUE(describeLabelled(model.surface, leftAndRight(model), upper, NeighbourSearch{}, 1).isComparable());
+  EXPECT_TRUE(describeLabelled(model.surface, leftAndRight(model), upper, NeighbourSearch{}).isComparable());
 }
 
 } // namespace

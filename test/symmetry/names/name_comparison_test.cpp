@@ -1,3 +1,4 @@
+#include "base/thread_scope.h"
 #include "support/named_body.h"
 #include "symmetry/names/name_comparison.h"
 
@@ -36,10 +37,10 @@ TEST_P(NamesOfBodies, AreTheSameInAnotherPoseAndOppositeWhenExchanged)
   for (const std::uint64_t seed : {2, 3}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const ComparableSurface posed = namedBody(GetParam(), 1.0, seed);
-    const NameComparison same = compareNames(reference, posed, 1);
+    const NameComparison same = compareNames(reference, posed);
     EXPECT_GT(byMaps(same), 0.1);
     EXPECT_LT(same.same, 0.7);
-    const NameComparison opposite = compareNames(reference, exchanged(posed), 1);
+    const NameComparison opposite = compareNames(reference, exchanged(posed));
     EXPECT_DOUBLE_EQ(opposite.same, same.opposite);
     EXPECT_DOUBLE_EQ(opposite.opposite, same.same);
     EXPECT_DOUBLE_EQ(opposite.margin(), -same.margin());
@@ -55,15 +56,19 @@ TEST(NameComparison, DoesNotDependOnTheNumberOfThreads)
 {
   const ComparableSurface first = namedBody(Body::Quadruped, 0.3, 1);
   const ComparableSurface second = namedBody(Body::Quadruped, 1.0, 2);
-  const NameComparison one = compareNames(first, second, 1);
-  const NameComparison three = compareNames(first, second, 3);
+  const auto with = [&](unsigned threads) {
+    const ThreadScope scope(threads);
+    return compareNames(first, second);
+  };
+  const NameComparison one = with(1);
+  const NameComparison three = with(3);
   EXPECT_EQ(one.same, three.same);
   EXPECT_EQ(one.opposite, three.opposite);
 }
 
 TEST(NameComparison, SaysNothingOfWhatCannotBeCompared)
 {
-  EXPECT_EQ(compareNames({}, namedBody(Body::Human, 0.3, 1), 1).margin(), 0.0);
+  EXPECT_EQ(compareNames({}, namedBody(Body::Human, 0.3, 1)).margin(), 0.0);
 }
 
 TEST(NameComparison, MarginIsAShareOfTheWorseFitAndALittleOfTheChiralities)

@@ -1,4 +1,5 @@
 #include "support/sample_partners.h"
+#include "support/with_threads.h"
 #include "symmetry/refine/bidirectional_matches.h"
 #include "symmetry/refine/extremity_rotations.h"
 #include "symmetry/refine/patch_alignment.h"
@@ -101,9 +102,9 @@ TEST(MutualPartners, DrawAScatteredMapTogether)
 {
   const CoarseBody& body = human();
   const std::vector<Index> rough = scattered(body, truePartners(body));
-  const std::vector<Index> smooth = mutualPartners(body.sampled(1), rough, 3);
+  const std::vector<Index> smooth = mutualPartners(body.sampled(), rough, 3);
   EXPECT_LT(errorOf(body, smooth), 0.6F * errorOf(body, rough));
-  EXPECT_EQ(smooth, mutualPartners(body.sampled(5), rough, 3));
+  EXPECT_EQ(smooth, withThreads(5, [&] { return mutualPartners(body.sampled(), rough, 3); }));
 }
 
 TEST(BidirectionalMatches, AreReadBothWays)
@@ -141,8 +142,7 @@ TEST(PatchAlignment, BringsAScatteredMapIntoPlace)
   const std::vector<Index> aligned = alignment.align(rough, 5);
   EXPECT_GT(errorOf(body, rough), 0.9F);
   EXPECT_LT(errorOf(body, aligned), 0.2F);
-  const SampledSurface in_threads = body.sampled(5);
-  EXPECT_EQ(aligned, PatchAlignment(in_threads, small_patches).align(rough, 5));
+  EXPECT_EQ(aligned, withThreads(5, [&] { return PatchAlignment(sampled, small_patches).align(rough, 5); }));
   EXPECT_EQ(rough, alignment.align(rough, 0));
 }
 
@@ -176,10 +176,10 @@ TEST(RotateExtremities, TurnsATwistedHeadBack)
   for (const float angle : {-1.6F, 1.2F}) {
     const std::vector<Index> twisted = withTurnedHead(body, radius, angle);
     std::vector<Index> partners = twisted;
-    EXPECT_EQ(rotateExtremities(body.sampled(1), fitting, extremities, radius, partners), 1U);
+    EXPECT_EQ(rotateExtremities(body.sampled(), fitting, extremities, radius, partners), 1U);
     EXPECT_LT(errorOf(body, partners), 0.5F * errorOf(body, twisted)) << angle;
     std::vector<Index> again = twisted;
-    rotateExtremities(body.sampled(3), fitting, extremities, radius, again);
+    withThreads(3, [&] { return rotateExtremities(body.sampled(), fitting, extremities, radius, again); });
     EXPECT_EQ(partners, again);
   }
 }

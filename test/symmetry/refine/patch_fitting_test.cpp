@@ -1,4 +1,5 @@
 #include "support/sample_partners.h"
+#include "support/with_threads.h"
 #include "symmetry/refine/patch_fitting.h"
 #include "symmetry/refine/reflection_growth.h"
 
@@ -103,7 +104,7 @@ TEST(GrowReflections, BringsALostEndOfALimbBack)
   const std::vector<Index> lost = withLostEnd(body, end);
   const GrowthSettings settings;
   std::vector<Index> partners = lost;
-  EXPECT_GT(growReflections(body.sampled(1), fitting, settings, partners), 0U);
+  EXPECT_GT(growReflections(body.sampled(), fitting, settings, partners), 0U);
   const std::vector<Index> truth = truePartners(body);
   std::size_t near = 0;
   for (const PatchMember& member : end) {
@@ -116,7 +117,7 @@ TEST(GrowReflections, BringsALostEndOfALimbBack)
   EXPECT_LT(errorOf(body, partners), 0.3F * errorOf(body, lost));
 
   std::vector<Index> in_threads = lost;
-  growReflections(body.sampled(5), fitting, settings, in_threads);
+  withThreads(5, [&] { return growReflections(body.sampled(), fitting, settings, in_threads); });
   EXPECT_EQ(partners, in_threads);
 }
 
@@ -125,7 +126,7 @@ TEST(GrowReflections, LeavesTheTrueMapInPlace)
   const CoarseBody& body = human();
   const PatchFitting fitting(body.coarse);
   std::vector<Index> partners = truePartners(body);
-  growReflections(body.sampled(2), fitting, GrowthSettings{}, partners);
+  growReflections(body.sampled(), fitting, GrowthSettings{}, partners);
   EXPECT_LT(errorOf(body, partners), 0.15F);
 }
 
@@ -138,7 +139,7 @@ TEST(GrowReflections, NothingGrowsWithoutPatches)
   std::vector<Index> partners = lost;
   GrowthSettings settings;
   settings.patches = 0;
-  EXPECT_EQ(growReflections(body.sampled(1), fitting, settings, partners), 0U);
+  EXPECT_EQ(growReflections(body.sampled(), fitting, settings, partners), 0U);
   EXPECT_EQ(partners, lost);
 }
 

@@ -1,4 +1,5 @@
 #include "support/coarse_body.h"
+#include "support/with_threads.h"
 #include "symmetry/refine/point_map.h"
 #include "symmetry/search/functional_map.h"
 
@@ -31,11 +32,11 @@ TEST(PartnersOfPoints, FollowTheTruePartnersOfTheSamples)
   for (const Index v : body.coarse.cells.vertices) {
     of_samples.push_back(body.model.partners[v]);
   }
-  const std::vector<Index> one = partnersOfPoints(body.sampled(1), of_samples);
+  const std::vector<Index> one = partnersOfPoints(body.sampled(), of_samples);
   const std::vector<double> errors = mapErrors(body.model, one);
   EXPECT_EQ(correspondenceRate(errors), 1.0);
   EXPECT_LT(mean(errors), 0.01); // a third of the spacing of the samples
-  EXPECT_EQ(one, partnersOfPoints(body.sampled(5), of_samples));
+  EXPECT_EQ(one, withThreads(5, [&] { return partnersOfPoints(body.sampled(), of_samples); }));
 }
 
 TEST(PartnersOfSamples, LieWithinASpacingOfTheTruth)
@@ -52,7 +53,7 @@ TEST(PartnersOfSamples, LieWithinASpacingOfTheTruth)
     images.row(i) = functions.row(map[static_cast<std::size_t>(i)]);
   }
   const Eigen::MatrixXf matrix = nearestInvolution(functions.transpose() * body.basis.masses.asDiagonal() * images);
-  const std::vector<Index> partners = partnersOfSamples(body.sampled(2), map, matrix);
+  const std::vector<Index> partners = partnersOfSamples(body.sampled(), map, matrix);
   ASSERT_EQ(partners.size(), body.coarse.size());
   double error = 0.0;
   for (std::size_t i = 0; i < partners.size(); ++i) {

@@ -1,4 +1,5 @@
 #include "support/coarse_body.h"
+#include "support/with_threads.h"
 #include "symmetry/refine/sample_refinement.h"
 
 #include <Eigen/Cholesky>
@@ -41,11 +42,11 @@ TEST(SampleRefinement, LeadsFromARoughMapToTheTruePartners)
 {
   const CoarseBody body = coarseBody(Body::Human, 1.0);
   const RefinementSettings settings = settingsFor(body);
-  const auto refine = [&](const SampleMap& map, unsigned threads) {
-    const SampledSurface sampled = body.sampled(threads);
+  const auto refine = [&](const SampleMap& map) {
+    const SampledSurface sampled = body.sampled();
     return SampleRefinement(sampled, settings).refine(candidateOf(body, map));
   };
-  const SampleEstimate found = refine(body.trueMap(), 1);
+  const SampleEstimate found = refine(body.trueMap());
   ASSERT_EQ(found.partners.size(), body.coarse.size());
   float error = 0.0F;
   for (std::size_t i = 0; i < found.partners.size(); ++i) {
@@ -54,11 +55,11 @@ TEST(SampleRefinement, LeadsFromARoughMapToTheTruePartners)
     EXPECT_EQ(found.map[i], body.coarse.cells.owner[found.partners[i]]);
   }
   EXPECT_LT(error / static_cast<float>(found.partners.size()), 0.2F * sampleSpacing(body.coarse));
-  EXPECT_EQ(found.partners, refine(body.trueMap(), 4).partners);
+  EXPECT_EQ(found.partners, withThreads(4, [&] { return refine(body.trueMap()); }).partners);
 
   SampleMap nobody_moves(body.landmarks.size());
   std::iota(nobody_moves.begin(), nobody_moves.end(), 0);
-  EXPECT_LT(found.value, refine(nobody_moves, 1).value);
+  EXPECT_LT(found.value, refine(nobody_moves).value);
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "support/human.h"
+#include "support/with_threads.h"
 #include "symmetry/samples/landmark_surface.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +45,8 @@ TEST(LandmarkSurface, DistancesAreNearThoseOfTheSurface)
 TEST(LandmarkSurface, EuclideanDistancesAreStraight)
 {
   const CoarseBody& body = human();
-  const LandmarkSurface straight = makeLandmarkSurface(body.coarse, 100, Metric::Euclidean, 2);
+  const LandmarkSurface straight =
+      withThreads(2, [&] { return makeLandmarkSurface(body.coarse, 100, Metric::Euclidean); });
   for (Index i = 0; i < 100; i += 9) {
     for (Index j = 0; j < 100; ++j) {
       EXPECT_FLOAT_EQ(straight.distances(i, j), distance(straight.points[i], straight.points[j]));

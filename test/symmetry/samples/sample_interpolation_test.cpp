@@ -1,4 +1,5 @@
 #include "support/coarse_body.h"
+#include "support/with_threads.h"
 #include "symmetry/samples/sample_interpolation.h"
 
 #include <gtest/gtest.h>
@@ -11,13 +12,14 @@ namespace {
 struct Plane {
   PreparedSurface surface = preparedMesh(gridMesh(60, 60));
   CoarseSurface coarse = coarsenSurface(surface, 300);
-  SampleInterpolation interpolation = interpolateFromSamples(surface, coarse, 1);
+  SampleInterpolation interpolation = interpolateFromSamples(surface, coarse);
 };
 
 TEST(SampleInterpolation, WeightsSumUpToOne)
 {
   const CoarseBody human = coarseBody(Body::Human, 1.0);
-  const SampleInterpolation interpolation = interpolateFromSamples(human.surface, human.coarse, 2);
+  const SampleInterpolation interpolation =
+      withThreads(2, [&] { return interpolateFromSamples(human.surface, human.coarse); });
   ASSERT_EQ(interpolation.offsets.size(), human.surface.size() + 1);
   const std::vector<float> ones(human.coarse.size(), 1.0F);
   for (std::size_t v = 0; v < human.surface.size(); ++v) {
@@ -63,8 +65,8 @@ TEST(SampleInterpolation, RowsAreInterpolatedAsValuesAre)
 TEST(SampleInterpolation, IsTheSameForAnyNumberOfThreads)
 {
   const CoarseBody human = coarseBody(Body::Human, 1.0);
-  const SampleInterpolation one = interpolateFromSamples(human.surface, human.coarse, 1);
-  const SampleInterpolation five = interpolateFromSamples(human.surface, human.coarse, 5);
+  const SampleInterpolation one = interpolateFromSamples(human.surface, human.coarse);
+  const SampleInterpolation five = withThreads(5, [&] { return interpolateFromSamples(human.surface, human.coarse); });
   EXPECT_EQ(one.offsets, five.offsets);
   EXPECT_EQ(one.samples, five.samples);
   EXPECT_EQ(one.weights, five.weights);

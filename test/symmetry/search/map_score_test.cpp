@@ -1,4 +1,5 @@
 #include "support/human.h"
+#include "support/landmark_maps.h"
 #include "symmetry/confidence/map_confidence.h"
 #include "symmetry/search/map_score.h"
 
@@ -14,25 +15,6 @@ identity(std::size_t size)
 {
   SampleMap map(size);
   std::iota(map.begin(), map.end(), 0);
-  return map;
-}
-
-/** Partner landmark of every landmark under a mapping of space that maps the surface to itself. */
-template <typename Mapping>
-SampleMap
-mapOf(const LandmarkSurface& landmarks, Mapping mapping)
-{
-  SampleMap map;
-  for (const Vector3& p : landmarks.points) {
-    const Vector3 image = mapping(p);
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < landmarks.size(); ++i) {
-      if (distance(landmarks.points[i], image) < distance(landmarks.points[nearest], image)) {
-        nearest = i;
-      }
-    }
-    map.push_back(static_cast<Index>(nearest));
-  }
   return map;
 }
 
@@ -52,7 +34,7 @@ ellipsoid()
     result.surface = preparedMesh(scaled(sphereMesh(5), {1.0F, 0.7F, 0.45F}));
     result.coarse = coarsenSurface(result.surface, 700);
     result.basis = laplacianBasis(result.coarse, 40);
-    result.landmarks = makeLandmarkSurface(result.coarse, 250, Metric::Geodesic, 1);
+    result.landmarks = makeLandmarkSurface(result.coarse, 250, Metric::Geodesic);
     return result;
   }();
   return body;

@@ -1,4 +1,5 @@
 #include "support/human.h"
+#include "support/with_threads.h"
 #include "symmetry/search/symmetry_search.h"
 
 #include <gtest/gtest.h>
@@ -9,9 +10,9 @@ using namespace pcl::symmetry::test;
 namespace {
 
 std::vector<SymmetryCandidate>
-search(const CoarseBody& body, const SearchSettings& settings = {}, unsigned threads = 2)
+search(const CoarseBody& body, const SearchSettings& settings = {})
 {
-  return searchSymmetries(body.sampled(threads), settings);
+  return searchSymmetries(body.sampled(), settings);
 }
 
 /** The spectral coordinates of a map's landmarks under an action on them, mean squared distance to those of the images.
@@ -96,8 +97,8 @@ TEST(SymmetrySearch, CandidatesAreDistinctMapsBestFirst)
 
 TEST(SymmetrySearch, IsTheSameForAnyNumberOfThreads)
 {
-  const std::vector<SymmetryCandidate> one = search(human(), {}, 1);
-  const std::vector<SymmetryCandidate> five = search(human(), {}, 5);
+  const std::vector<SymmetryCandidate> one = search(human());
+  const std::vector<SymmetryCandidate> five = withThreads(5, [] { return search(human()); });
   ASSERT_EQ(one.size(), five.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].map, five[i].map);

@@ -1,4 +1,5 @@
 #include "support/coarse_body.h"
+#include "support/with_threads.h"
 #include "symmetry/sides/map_quality.h"
 
 #include <gtest/gtest.h>
@@ -29,9 +30,9 @@ human()
 }
 
 MapSummary
-measure(const std::vector<Index>& partners, unsigned threads = 1)
+measure(const std::vector<Index>& partners)
 {
-  return measureMap(human().surface, partners, human().diameter, threads);
+  return measureMap(human().surface, partners, human().diameter);
 }
 
 TEST(MapQuality, OfTheTrueMapIsPerfect)
@@ -83,7 +84,8 @@ TEST(MapQuality, CountsMatchedPointsOnly)
 
 TEST(MapQuality, IsTheSameForAnyNumberOfThreads)
 {
-  EXPECT_EQ(measure(human().model.partners, 1).isometry_error, measure(human().model.partners, 5).isometry_error);
+  EXPECT_EQ(measure(human().model.partners).isometry_error,
+            withThreads(5, [] { return measure(human().model.partners); }).isometry_error);
 }
 
 } // namespace

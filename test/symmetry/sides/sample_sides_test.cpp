@@ -110,7 +110,7 @@ TEST(SampleSides, KeepTheirNamesUnderMotionScaleAndOrder)
   moved.surface = preparedMesh(moved.model.surface);
   moved.coarse = coarsenSurface(moved.surface, 700);
   moved.basis = laplacianBasis(moved.coarse, 40);
-  moved.landmarks = makeLandmarkSurface(moved.coarse, 250, Metric::Geodesic, 1);
+  moved.landmarks = makeLandmarkSurface(moved.coarse, 250, Metric::Geodesic);
   const std::vector<float> moved_sides = sidesUnder(moved, truePartners(moved));
 
   std::vector<float> at_vertex(n, 0.0F);

@@ -25,8 +25,7 @@ TEST(SideFunction, CountsThePairsWhoseEndsAreNearer)
 {
   const SurfaceGraph graph = chain(7);
   // Two pairs that agree and one the other way round.
-  const std::vector<float> side =
-      sideFunction(distanceFields(graph, {0, 1, 5}, 1), distanceFields(graph, {6, 5, 0}, 1));
+  const std::vector<float> side = sideFunction(distanceFields(graph, {0, 1, 5}), distanceFields(graph, {6, 5, 0}));
   for (const Index v : {0, 1, 2}) {
     EXPECT_NEAR(side[v], 1.0 / 3.0, 0.15) << v;
   }
@@ -38,8 +37,8 @@ TEST(SideFunction, CountsThePairsWhoseEndsAreNearer)
 TEST(SideFunction, IsOneAtTheSourcesAndChangesItsSignWithThePairs)
 {
   const SurfaceGraph graph = meshGraph(gridMesh(15, 6));
-  const DistanceFields left = distanceFields(graph, {0, 15, 75}, 1);
-  const DistanceFields right = distanceFields(graph, {14, 29, 89}, 1);
+  const DistanceFields left = distanceFields(graph, {0, 15, 75});
+  const DistanceFields right = distanceFields(graph, {14, 29, 89});
   const std::vector<float> side = sideFunction(left, right);
   const std::vector<float> opposite = sideFunction(right, left);
   for (std::size_t v = 0; v < graph.size(); ++v) {
@@ -59,7 +58,7 @@ TEST(SideFunction, LetsTheDistancesDecideADraw)
 {
   const SurfaceGraph graph = chain(9);
   // Between 2 and 6 the pairs disagree; the first one is much clearer at 3.
-  const std::vector<float> side = sideFunction(distanceFields(graph, {2, 8}, 1), distanceFields(graph, {6, 0}, 1));
+  const std::vector<float> side = sideFunction(distanceFields(graph, {2, 8}), distanceFields(graph, {6, 0}));
   EXPECT_GT(side[3], 0.0F);
   EXPECT_LT(side[5], 0.0F);
   EXPECT_EQ(side[4], 0.0F);
@@ -69,7 +68,7 @@ TEST(SideFunction, LetsTheDistancesDecideADraw)
 TEST(SideFunction, IsZeroWhereNoPairVotes)
 {
   const SurfaceGraph graph = buildGraph(3, {{0, 1, 1.0F}});
-  const std::vector<float> side = sideFunction(distanceFields(graph, {0}, 1), distanceFields(graph, {1}, 1));
+  const std::vector<float> side = sideFunction(distanceFields(graph, {0}), distanceFields(graph, {1}));
   EXPECT_GT(side[0], 0.0F);
   EXPECT_EQ(side[2], 0.0F);
   DistanceFields none;

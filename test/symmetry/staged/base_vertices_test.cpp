@@ -1,3 +1,4 @@
+#include "support/with_threads.h"
 #include "symmetry/staged/base_vertices.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace {
 /** Eleven points on a line, one apart, and how far they are from each other. */
 class BaseVerticesTest : public testing::Test {
 protected:
-  BaseVerticesTest() : metric_(line()), base_(metric_, 1)
+  BaseVerticesTest() : metric_(line()), base_(metric_)
   {
   }
 
@@ -87,11 +88,11 @@ TEST_F(BaseVerticesTest, FloorsAreSharesOfTheLargestDistanceOnTheSurface)
 
 TEST_F(BaseVerticesTest, DoNotDependOnTheNumberOfThreads)
 {
-  BaseVertices shared(metric_, 3);
+  BaseVertices shared(metric_);
   std::vector<SymmetricMatch> pairs = pairsOf(1, 9);
   std::vector<SymmetricMatch> again = pairs;
   base_.addPairs(pairs);
-  shared.addPairs(again);
+  test::withThreads(3, [&] { shared.addPairs(again); });
   const std::vector<Index> all = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
   EXPECT_EQ(base_.features(all, Side::Source, FeatureSet::OwnEndpointsAndMidpoints).values,
             shared.features(all, Side::Source, FeatureSet::OwnEndpointsAndMidpoints).values);

@@ -1,3 +1,4 @@
+#include "support/with_threads.h"
 #include "symmetry/staged/dense_matcher.h"
 
 #include <gtest/gtest.h>
@@ -91,7 +92,7 @@ TEST_P(DenseMatcherDimensions, EqualsAScanOverAllCandidates)
   const FeatureVectors candidates = distanceFeatures(1500, dimensions, 2);
   const FeatureVectors queries = distanceFeatures(400, dimensions, 3);
   const std::vector<float> floors = featureFloors(candidates);
-  expectEqual(DenseMatcher(candidates, floors).match(queries, 1), scan(queries, candidates, floors));
+  expectEqual(DenseMatcher(candidates, floors).match(queries), scan(queries, candidates, floors));
 }
 
 INSTANTIATE_TEST_SUITE_P(Dimensions, DenseMatcherDimensions, testing::Values(1, 3, 7, 8, 9, 40, 185));
@@ -108,7 +109,7 @@ TEST(DenseMatcher, GivesTiesToTheLowestCandidate)
     value = std::round(8.0F * value) / 2.0F;
   }
   const std::vector<float> floors = featureFloors(candidates);
-  expectEqual(DenseMatcher(candidates, floors).match(queries, 1), scan(queries, candidates, floors));
+  expectEqual(DenseMatcher(candidates, floors).match(queries), scan(queries, candidates, floors));
 }
 
 TEST(DenseMatcher, DoesNotDependOnTheNumberOfThreadsOrTheOrderOfQueries)
@@ -117,22 +118,22 @@ TEST(DenseMatcher, DoesNotDependOnTheNumberOfThreadsOrTheOrderOfQueries)
   const FeatureVectors queries = distanceFeatures(1000, 20, 7);
   const std::vector<float> floors = featureFloors(candidates);
   const DenseMatcher matcher(candidates, floors);
-  const std::vector<FeatureMatch> matches = matcher.match(queries, 1);
-  expectEqual(matcher.match(queries, 4), matches);
+  const std::vector<FeatureMatch> matches = matcher.match(queries);
+  expectEqual(test::withThreads(4, [&] { return matcher.match(queries); }), matches);
 
   FeatureVectors reversed;
   reversed.dimensions = queries.dimensions;
   for (std::size_t i = queries.rows(); i-- > 0;) {
     reversed.values.insert(reversed.values.end(), queries.row(i), queries.row(i) + queries.dimensions);
   }
-  const std::vector<FeatureMatch> backwards = matcher.match(reversed, 1);
+  const std::vector<FeatureMatch> backwards = matcher.match(reversed);
   expectEqual({backwards.rbegin(), backwards.rend()}, matches);
 }
 
 TEST(DenseMatcher, FindsEveryCandidateItself)
 {
   const FeatureVectors candidates = distanceFeatures(700, 12, 8);
-  const std::vector<FeatureMatch> matches = DenseMatcher(candidates, featureFloors(candidates)).match(candidates, 2);
+  const std::vector<FeatureMatch> matches = DenseMatcher(candidates, featureFloors(candidates)).match(candidates);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     EXPECT_EQ(matches[i].row, static_cast<std::ptrdiff_t>(i));
     EXPECT_EQ(matches[i].dissimilarity, 0.0F);
@@ -144,7 +145,7 @@ TEST(DenseMatcher, AnswersMinusOneWithoutCandidates)
   FeatureVectors none;
   none.dimensions = 5;
   const FeatureVectors queries = distanceFeatures(3, 5, 9);
-  for (const FeatureMatch& match : DenseMatcher(none, std::vector<float>(5, 0.0F)).match(queries, 1)) {
+  for (const FeatureMatch& match : DenseMatcher(none, std::vector<float>(5, 0.0F)).match(queries)) {
     EXPECT_EQ(match.row, -1);
   }
 }

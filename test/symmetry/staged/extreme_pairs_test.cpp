@@ -34,12 +34,12 @@ TEST(PairExtremePoints, PairsHandsWithHandsAndFeetWithFeetOnTheirSides)
 {
   const StickFigure figure = stickFigure(7, 12);
   const GeodesicMetric metric(figure.graph);
-  const ExtremityFunctions functions = extremityFunctions(figure.graph, 0, 100, 1.0F, 1);
+  const ExtremityFunctions functions = extremityFunctions(figure.graph, 0, 100, 1.0F);
   std::array<Index, 4> points = {figure.left_hand, figure.left_foot, figure.right_hand, figure.right_foot};
   std::sort(points.begin(), points.end());
   do {
     const ExtremePairs pairs =
-        pairExtremePoints(points, functions.average, metric, {0, 2, figure.left_hand, figure.left_foot}, 1);
+        pairExtremePoints(points, functions.average, metric, {0, 2, figure.left_hand, figure.left_foot});
     EXPECT_EQ(partners(pairs), (std::set<std::set<Index>>{{figure.left_hand, figure.right_hand},
                                                           {figure.left_foot, figure.right_foot}}));
   } while (std::next_permutation(points.begin(), points.end()));
@@ -60,7 +60,7 @@ TEST(PairExtremePoints, LooksAtTheDistributionWhereTheMeansAreNotClear)
   }
   const ExtremePairs pairs =
       pairExtremePoints({figure.left_hand, figure.left_foot, figure.right_hand, figure.right_foot}, feature,
-                        GeodesicMetric(figure.graph), landmarks, 1);
+                        GeodesicMetric(figure.graph), landmarks);
   EXPECT_EQ(partners(pairs),
             (std::set<std::set<Index>>{{figure.left_hand, figure.right_hand}, {figure.left_foot, figure.right_foot}}));
 }
@@ -76,7 +76,7 @@ TEST(PairExtremePoints, LooksAtTheDistributionWhereTheMeansDifferByAPoseOnly)
   feature[figure.right_foot] = 1.015F;
   const ExtremePairs pairs =
       pairExtremePoints({figure.left_hand, figure.left_foot, figure.right_hand, figure.right_foot}, feature,
-                        GeodesicMetric(figure.graph), {0, 2, 5, 12, 15}, 1);
+                        GeodesicMetric(figure.graph), {0, 2, 5, 12, 15});
   EXPECT_EQ(partners(pairs),
             (std::set<std::set<Index>>{{figure.left_hand, figure.right_hand}, {figure.left_foot, figure.right_foot}}));
 }
@@ -86,7 +86,7 @@ TEST(PairExtremePoints, PutsTheNearerOnesOnOneSide)
   // A rectangle with corners 0, 1 (left) and 2, 3 (right); the feature makes partners of the upper and of the lower.
   const SurfaceGraph rectangle = buildGraph(4, {{0, 1, 1.0F}, {1, 3, 3.0F}, {3, 2, 1.0F}, {2, 0, 3.0F}});
   const GeodesicMetric metric(rectangle);
-  const ExtremePairs pairs = pairExtremePoints({0, 1, 2, 3}, {1.0F, 9.0F, 1.0F, 9.0F}, metric, {0, 1, 2, 3}, 1);
+  const ExtremePairs pairs = pairExtremePoints({0, 1, 2, 3}, {1.0F, 9.0F, 1.0F, 9.0F}, metric, {0, 1, 2, 3});
   EXPECT_EQ(pairs.h1, 0);
   EXPECT_EQ(pairs.h2, 2);
   EXPECT_EQ(pairs.f1, 1);
@@ -114,7 +114,7 @@ TEST(ChooseExtremePairs, AreThePawsOfAnAnimalWhoseFirstFourPointsAreNot)
   EXPECT_EQ(std::count(four.begin(), four.end(), animal.tail), 1);
   const std::vector<Index> points = mutuallyFarthestVertices(animal.graph, 0, 9);
   const ExtremePairs pairs = chooseExtremePairs(points, std::vector<float>(animal.graph.size()),
-                                                GeodesicMetric(animal.graph), everyThird(animal.graph), 1);
+                                                GeodesicMetric(animal.graph), everyThird(animal.graph));
   EXPECT_EQ(partners(pairs),
             (std::set<std::set<Index>>{{animal.left_fore, animal.right_fore}, {animal.left_hind, animal.right_hind}}));
 }
@@ -127,7 +127,7 @@ TEST(ChooseExtremePairs, AreHandsAndFeetOfAFigureInAnyOrder)
   std::sort(points.begin(), points.end());
   do {
     const ExtremePairs pairs = chooseExtremePairs(points, std::vector<float>(figure.graph.size()),
-                                                  GeodesicMetric(figure.graph), everyThird(figure.graph), 1);
+                                                  GeodesicMetric(figure.graph), everyThird(figure.graph));
     EXPECT_EQ(partners(pairs), (std::set<std::set<Index>>{{figure.left_hand, figure.right_hand},
                                                           {figure.left_foot, figure.right_foot}}));
   } while (std::next_permutation(points.begin(), points.end()));
@@ -140,7 +140,7 @@ TEST(ChooseExtremePairs, PrefersTipsToNeighboursOnOneLimb)
   const std::vector<Index> points = {figure.left_foot,      figure.left_foot - 1, figure.right_foot,
                                      figure.right_foot - 1, figure.left_hand,     figure.right_hand};
   const ExtremePairs pairs = chooseExtremePairs(points, std::vector<float>(figure.graph.size()),
-                                                GeodesicMetric(figure.graph), everyThird(figure.graph), 1);
+                                                GeodesicMetric(figure.graph), everyThird(figure.graph));
   EXPECT_EQ(std::set<Index>({pairs.h1, pairs.h2}).count(figure.left_hand) +
                 std::set<Index>({pairs.f1, pairs.f2}).count(figure.left_hand),
             1U);
@@ -156,14 +156,14 @@ TEST(ChooseExtremePairs, CostMoreWhereALimbHasNoCounterpart)
   std::vector<Index> without_one = all;
   without_one.back() = 4; // in the middle of the back in place of a paw
   const GeodesicMetric metric(whole.graph);
-  EXPECT_LT(chooseExtremePairs(all, feature, metric, landmarks, 1).cost, 0.2F);
-  EXPECT_GT(chooseExtremePairs(without_one, feature, metric, landmarks, 1).cost, 0.34F);
+  EXPECT_LT(chooseExtremePairs(all, feature, metric, landmarks).cost, 0.2F);
+  EXPECT_GT(chooseExtremePairs(without_one, feature, metric, landmarks).cost, 0.34F);
 }
 
 TEST(ChooseExtremePairs, SurvivesPointsAtOnePlace)
 {
   const SurfaceGraph graph = buildGraph(5, {{0, 1, 0.0F}, {1, 2, 0.0F}, {2, 3, 0.0F}, {3, 4, 0.0F}});
   const ExtremePairs pairs =
-      chooseExtremePairs({0, 1, 2, 3, 4}, std::vector<float>(graph.size()), GeodesicMetric(graph), {0, 4}, 1);
+      chooseExtremePairs({0, 1, 2, 3, 4}, std::vector<float>(graph.size()), GeodesicMetric(graph), {0, 4});
   EXPECT_EQ((std::set<Index>{pairs.h1, pairs.h2, pairs.f1, pairs.f2}), (std::set<Index>{0, 1, 2, 3}));
 }

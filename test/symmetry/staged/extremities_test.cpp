@@ -1,6 +1,7 @@
 #include "geodesic/shortest_paths.h"
 #include "stick_figure.h"
 #include "support/graphs.h"
+#include "support/with_threads.h"
 #include "symmetry/staged/extremities.h"
 
 #include <gtest/gtest.h>
@@ -61,12 +62,13 @@ TEST(ExtremityFunctions, AreTheMeanDistanceAndTheDistanceToItsMaxima)
 {
   const StickFigure figure = stickFigure(7, 9);
   const std::size_t n = figure.graph.size();
-  const ExtremityFunctions functions = extremityFunctions(figure.graph, 0, n, 1.0F, 2); // every vertex is a sample
+  const ExtremityFunctions functions =
+      withThreads(2, [&] { return extremityFunctions(figure.graph, 0, n, 1.0F); }); // every vertex is a sample
   std::vector<Index> everyone(n);
   for (std::size_t v = 0; v < n; ++v) {
     everyone[v] = static_cast<Index>(v);
   }
-  const DistanceFields fields = distanceFields(figure.graph, everyone, 1);
+  const DistanceFields fields = distanceFields(figure.graph, everyone);
   const auto mean = [&](Index v) {
     float sum = 0.0F;
     for (std::size_t i = 0; i < n; ++i) {

@@ -10,8 +10,8 @@ TEST(LimbRegions, ReachFromTheExtremePointsToTheirMidpoints)
 {
   // A strip: h1 and h2 at the ends of the lower row, f1 and f2 further in on the upper one.
   const SurfaceGraph strip = meshGraph(gridMesh(21, 2));
-  const DistanceFields source = distanceFields(strip, {0, 21 + 8}, 1);
-  const DistanceFields target = distanceFields(strip, {20, 21 + 12}, 1);
+  const DistanceFields source = distanceFields(strip, {0, 21 + 8});
+  const DistanceFields target = distanceFields(strip, {20, 21 + 12});
   const Index m_h = 5; // not half way: the limbs are as long as this midpoint says
   const Index m_f = 21 + 10;
   const std::vector<Region> regions = limbRegions(source, target, m_h, m_f);
@@ -51,8 +51,8 @@ TEST(LimbRegions, ReachFromTheExtremePointsToTheirMidpoints)
 TEST(LimbRegions, OfLengthZeroHoldNothing)
 {
   const SurfaceGraph strip = meshGraph(gridMesh(5, 2));
-  const DistanceFields source = distanceFields(strip, {0, 5}, 1);
-  const DistanceFields target = distanceFields(strip, {4, 9}, 1);
+  const DistanceFields source = distanceFields(strip, {0, 5});
+  const DistanceFields target = distanceFields(strip, {4, 9});
   const std::vector<Region> regions = limbRegions(source, target, 0, 5); // the midpoints are h1 and f1 themselves
   EXPECT_EQ(std::count(regions.begin(), regions.end(), Region::Source1), 0);
   EXPECT_EQ(std::count(regions.begin(), regions.end(), Region::Source2), 0);

@@ -17,7 +17,7 @@ TEST(SpectralEmbedding, ReproducesStraightDistances)
   const Surface sphere = scaled(sphereMesh(3), {1.0F, 2.0F, 4.0F});
   const EuclideanMetric metric(sphere.points);
   const std::vector<Index> landmarks = metric.farthestPoints(0, 20);
-  const SpectralEmbedding embedding = embedByLandmarks(metric.fields(landmarks, 1), landmarks, 3, 1);
+  const SpectralEmbedding embedding = embedByLandmarks(metric.fields(landmarks), landmarks, 3);
   ASSERT_EQ(embedding.dimensions, 3);
   for (std::size_t v = 0; v < sphere.size(); v += 7) {
     for (std::size_t w = 0; w < sphere.size(); w += 11) {
@@ -39,7 +39,7 @@ TEST(SpectralEmbedding, HasNoMoreDimensionsThanThePoints)
   const Surface grid = gridMesh(9, 5);
   const EuclideanMetric metric(grid.points);
   const std::vector<Index> landmarks = metric.farthestPoints(0, 12);
-  const SpectralEmbedding embedding = embedByLandmarks(metric.fields(landmarks, 1), landmarks, 6, 1);
+  const SpectralEmbedding embedding = embedByLandmarks(metric.fields(landmarks), landmarks, 6);
   for (std::size_t k = 2; k < embedding.eigenvalues.size(); ++k) {
     EXPECT_LT(embedding.eigenvalues[k], 1e-4F * embedding.eigenvalues[0]); // rounding, where any are left
   }

@@ -1,4 +1,5 @@
 #include "support/graphs.h"
+#include "support/with_threads.h"
 #include "symmetry/sides/sides.h"
 #include "symmetry/staged/dense_map.h"
 #include "symmetry/staged/stage_matching.h"
@@ -18,7 +19,7 @@ constexpr Index rows = 12;
 /** A rectangle without diagonals, so that left and right are alike to the last bit, and a base of three pairs. */
 class StageMatching : public testing::Test {
 protected:
-  StageMatching() : graph_(rectangle()), metric_(graph_), base_(metric_, 1)
+  StageMatching() : graph_(rectangle()), metric_(graph_), base_(metric_)
   {
     std::vector<SymmetricMatch> pairs = {match(at(0, 0)), match(at(1, rows - 1)), match(at(4, 5))};
     base_.addPairs(pairs);
@@ -122,8 +123,8 @@ TEST_F(StageMatching, FindsTheMirrorVertices)
   for (Index v = 0; v < columns * rows; ++v) {
     (v % columns < columns / 2 ? vertices.queries : vertices.candidates).push_back(v);
   }
-  const std::vector<SymmetricMatch> matches =
-      matchVertices(base_, vertices, Side::Source, FeatureSet::OwnEndpointsAndMidpoints, 2);
+  const std::vector<SymmetricMatch> matches = withThreads(
+      2, [&] { return matchVertices(base_, vertices, Side::Source, FeatureSet::OwnEndpointsAndMidpoints); });
   ASSERT_EQ(matches.size(), vertices.queries.size());
   for (const SymmetricMatch& match : matches) {
     EXPECT_EQ(match.target, mirrored(match.source));
@@ -131,7 +132,7 @@ TEST_F(StageMatching, FindsTheMirrorVertices)
   }
   // Queries of the target side are turned round.
   const std::vector<SymmetricMatch> back =
-      matchVertices(base_, {{at(18, 2)}, vertices.queries}, Side::Target, FeatureSet::OwnEndpointsAndMidpoints, 1);
+      matchVertices(base_, {{at(18, 2)}, vertices.queries}, Side::Target, FeatureSet::OwnEndpointsAndMidpoints);
   ASSERT_EQ(back.size(), 1U);
   EXPECT_EQ(back[0].source, at(2, 2));
   EXPECT_EQ(back[0].target, at(18, 2));
@@ -139,21 +140,21 @@ TEST_F(StageMatching, FindsTheMirrorVertices)
 
 TEST_F(StageMatching, MatchesNothingWithoutCandidatesOrQueries)
 {
-  EXPECT_TRUE(matchVertices(base_, {{1, 2, 3}, {}}, Side::Source, FeatureSet::Midpoints, 1).empty());
-  EXPECT_TRUE(matchVertices(base_, {{}, {1, 2, 3}}, Side::Source, FeatureSet::Midpoints, 1).empty());
-  EXPECT_TRUE(matchExtremities(base_, regions(), {at(2, 2)}, 5, 1).empty()); // no extremity on the other side
+  EXPECT_TRUE(matchVertices(base_, {{1, 2, 3}, {}}, Side::Source, FeatureSet::Midpoints).empty());
+  EXPECT_TRUE(matchVertices(base_, {{}, {1, 2, 3}}, Side::Source, FeatureSet::Midpoints).empty());
+  EXPECT_TRUE(matchExtremities(base_, regions(), {at(2, 2)}, 5).empty()); // no extremity on the other side
 }
 
 TEST_F(StageMatching, MatchesExtremitiesWithinTheirPairOfLimbs)
 {
   const std::vector<Index> extremities = {at(2, 1),           at(5, 3),           at(1, 8),
                                           mirrored(at(2, 1)), mirrored(at(5, 3)), mirrored(at(1, 8))};
-  const std::vector<SymmetricMatch> matches = matchExtremities(base_, regions(), extremities, 5, 1);
+  const std::vector<SymmetricMatch> matches = matchExtremities(base_, regions(), extremities, 5);
   ASSERT_EQ(matches.size(), 3U);
   for (const SymmetricMatch& match : matches) {
     EXPECT_EQ(match.target, mirrored(match.source));
   }
-  EXPECT_EQ(matchExtremities(base_, regions(), extremities, 1, 1).size(), 2U); // one per pair of limbs
+  EXPECT_EQ(matchExtremities(base_, regions(), extremities, 1).size(), 2U); // one per pair of limbs
 }
 
 TEST_F(StageMatching, MatchesSamplesOfLimbsAndCentreAcrossTheSides)
@@ -161,31 +162,31 @@ TEST_F(StageMatching, MatchesSamplesOfLimbsAndCentreAcrossTheSides)
   const std::vector<float> sides = sideFunction(base_.sourceFields(), base_.targetFields());
   const std::vector<Index> samples = {at(3, 3), at(6, 9), at(8, 4), at(12, 6), at(9, 9)};
   const std::vector<SymmetricMatch> matches =
-      matchSamples(base_, regions(), sides, samples, FeatureSet::OwnEndpointsAndMidpoints, 30, 1);
+      matchSamples(base_, regions(), sides, samples, FeatureSet::OwnEndpointsAndMidpoints, 30);
   ASSERT_EQ(matches.size(), samples.size());
   for (const SymmetricMatch& match : matches) {
     EXPECT_EQ(match.target, mirrored(match.source));
     EXPECT_LT(match.source % columns, columns / 2);
   }
-  EXPECT_EQ(matchSamples(base_, regions(), sides, samples, FeatureSet::Midpoints, 1, 1).size(), 3U); // one per mapping
+  EXPECT_EQ(matchSamples(base_, regions(), sides, samples, FeatureSet::Midpoints, 1).size(), 3U); // one per mapping
 }
 
 TEST_F(StageMatching, TheDenseMapOfAMirrorSymmetricSurfaceIsTheMirror)
 {
   const std::vector<float> sides = absorbSpecks(graph_, sideFunction(base_.sourceFields(), base_.targetFields()));
-  const DenseMap map = denseMap(base_, sides, 2);
+  const DenseMap map = withThreads(2, [&] { return denseMap(base_, sides); });
   for (Index v = 0; v < columns * rows; ++v) {
     if (v % columns != columns / 2) { // the middle column has to go to a side
       EXPECT_EQ(map.partners[v], mirrored(v));
       EXPECT_EQ(map.dissimilarities[v], 0.0F);
     }
   }
-  EXPECT_EQ(denseMap(base_, sides, 1).partners, map.partners);
+  EXPECT_EQ(denseMap(base_, sides).partners, map.partners);
 }
 
 TEST_F(StageMatching, TheDenseMapIsEmptyWhereThereIsOneSideOnly)
 {
-  const DenseMap map = denseMap(base_, std::vector<float>(static_cast<std::size_t>(columns * rows), 1.0F), 1);
+  const DenseMap map = denseMap(base_, std::vector<float>(static_cast<std::size_t>(columns * rows), 1.0F));
   EXPECT_EQ(map.partners, std::vector<Index>(static_cast<std::size_t>(columns * rows), no_index));
 }
 

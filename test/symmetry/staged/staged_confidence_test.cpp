@@ -36,7 +36,7 @@ distortion(std::vector<SymmetricMatch> matches)
 {
   const Chain line = chain();
   const GeodesicMetric metric(line.graph);
-  BaseVertices base(metric, 1);
+  BaseVertices base(metric);
   base.addPairs(matches);
   return isometricDistortion(base, matches, 10.0F);
 }

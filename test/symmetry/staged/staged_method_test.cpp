@@ -2,6 +2,7 @@
 #include "geodesic/shortest_paths.h"
 #include "model/articulated_body.h"
 #include "support/prepared.h"
+#include "support/with_threads.h"
 #include "symmetry/staged/staged_method.h"
 
 #include <gtest/gtest.h>
@@ -166,7 +167,7 @@ TEST(StagedMethod, FindsThePawsOfAnimalsUnlessTheFirstFourPointsAreAskedFor)
   ASSERT_EQ(found.status, SymmetryStatus::Symmetric) << found.message;
   EXPECT_GE(rate(animal, found), 0.9);
   SymmetryParameters literally;
-  literally.extremities = ExtremePoints::FirstFour;
+  literally.staged.extremities = ExtremePoints::FirstFour;
   EXPECT_NE(estimate(animal.surface, literally).status, SymmetryStatus::Symmetric);
 }
 
@@ -194,13 +195,10 @@ TEST(StagedMethod, PairsLimbsAndPutsTheSidesWhereTheyAre)
 TEST(StagedMethod, IsTheSameForAnyNumberOfThreads)
 {
   const KnownBody human = body(Body::Human, 1.0, 7);
-  SymmetryParameters parameters;
-  parameters.threads = 1;
-  const MapEstimate one = estimate(human.surface, parameters);
-  parameters.threads = 2;
-  expectEqual(estimate(human.surface, parameters), one);
-  parameters.threads = 5;
-  expectEqual(estimate(human.surface, parameters), one);
+  const MapEstimate one = estimate(human.surface);
+  for (const unsigned threads : {2U, 5U}) {
+    expectEqual(withThreads(threads, [&] { return estimate(human.surface); }), one);
+  }
 }
 
 TEST(StagedMethod, DoesNotDependOnTheOrderOfTheVertices)
@@ -268,7 +266,7 @@ TEST(StagedMethod, SaysSoWhereItsLimbsAreNoPairs)
 {
   const KnownBody body_without_leg = body(Body::MissingLeg, 1.0, 1);
   SymmetryParameters literally;
-  literally.extremities = ExtremePoints::FirstFour;
+  literally.staged.extremities = ExtremePoints::FirstFour;
   const MapEstimate found = estimate(body_without_leg.surface, literally);
   EXPECT_EQ(found.status, SymmetryStatus::NoSymmetry);
   EXPECT_LT(found.confidence, 0.2F);
@@ -310,14 +308,14 @@ TEST(StagedMethod, TakesItsParameters)
   const KnownBody human = body(Body::Human, 0.5, 3);
   for (const PairingFeature pairing : {PairingFeature::MinimalGeodesicDistance, PairingFeature::BySurfaceSize}) {
     SymmetryParameters parameters;
-    parameters.pairing = pairing;
-    parameters.extremities = ExtremePoints::FirstFour;
+    parameters.staged.pairing = pairing;
+    parameters.staged.extremities = ExtremePoints::FirstFour;
     expectSound(estimate(human.surface, parameters), human.surface.size());
   }
   SymmetryParameters few;
-  few.landmarks = 10;
-  few.samples = 20;
-  few.embedding_dimensions = 20;
+  few.staged.landmarks = 10;
+  few.staged.samples = 20;
+  few.staged.embedding_dimensions = 20;
   const MapEstimate found = estimate(human.surface, few);
   expectSound(found, human.surface.size());
   EXPECT_LE(found.matches.size(), 20U);

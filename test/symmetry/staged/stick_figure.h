@@ -9,6 +9,31 @@ namespace pcl {
 namespace symmetry {
 namespace test {
 
+/** \brief Lines of vertices at unit distance that grow from one another. */
+class StickGraph {
+public:
+  /** \brief Adds a line of so many edges. \return its end */
+  Index
+  grow(Index from, int length)
+  {
+    for (int i = 0; i < length; ++i) {
+      edges_.push_back({from, count_, 1.0F});
+      from = count_++;
+    }
+    return from;
+  }
+
+  SurfaceGraph
+  graph() const
+  {
+    return buildGraph(static_cast<std::size_t>(count_), edges_);
+  }
+
+private:
+  std::vector<GraphEdge> edges_;
+  Index count_ = 1; // vertex 0 is there from the beginning
+};
+
 /** \brief A stick figure: arms of length \a arm from the shoulder, legs of length \a leg from the hip, a spine of length 4
  * between the two and a neck of length 2; one vertex per unit. */
 struct StickFigure {
@@ -22,23 +47,16 @@ struct StickFigure {
 inline StickFigure
 stickFigure(int arm, int leg)
 {
-  std::vector<GraphEdge> edges;
-  Index count = 1; // vertex 0: the shoulder
-  const auto grow = [&](Index from, int length) {
-    for (int i = 0; i < length; ++i) {
-      edges.push_back({from, count, 1.0F});
-      from = count++;
-    }
-    return from;
-  };
+  StickGraph sticks;
+  constexpr Index shoulder = 0;
   StickFigure figure;
-  const Index hip = grow(0, 4);
-  grow(0, 2);
-  figure.left_hand = grow(0, arm);
-  figure.right_hand = grow(0, arm);
-  figure.left_foot = grow(hip, leg);
-  figure.right_foot = grow(hip, leg);
-  figure.graph = buildGraph(static_cast<std::size_t>(count), edges);
+  const Index hip = sticks.grow(shoulder, 4);
+  sticks.grow(shoulder, 2);
+  figure.left_hand = sticks.grow(shoulder, arm);
+  figure.right_hand = sticks.grow(shoulder, arm);
+  figure.left_foot = sticks.grow(hip, leg);
+  figure.right_foot = sticks.grow(hip, leg);
+  figure.graph = sticks.graph();
   return figure;
 }
 
@@ -57,24 +75,17 @@ struct StickAnimal {
 inline StickAnimal
 stickAnimal(int foreleg, int hindleg)
 {
-  std::vector<GraphEdge> edges;
-  Index count = 1; // vertex 0: the shoulder
-  const auto grow = [&](Index from, int length) {
-    for (int i = 0; i < length; ++i) {
-      edges.push_back({from, count, 1.0F});
-      from = count++;
-    }
-    return from;
-  };
+  StickGraph sticks;
+  constexpr Index shoulder = 0;
   StickAnimal animal;
-  const Index hip = grow(0, 8);
-  animal.head = grow(0, 9);
-  animal.tail = grow(hip, 14);
-  animal.left_fore = grow(0, foreleg);
-  animal.right_fore = grow(0, foreleg);
-  animal.left_hind = grow(hip, hindleg);
-  animal.right_hind = grow(hip, hindleg);
-  animal.graph = buildGraph(static_cast<std::size_t>(count), edges);
+  const Index hip = sticks.grow(shoulder, 8);
+  animal.head = sticks.grow(shoulder, 9);
+  animal.tail = sticks.grow(hip, 14);
+  animal.left_fore = sticks.grow(shoulder, foreleg);
+  animal.right_fore = sticks.grow(shoulder, foreleg);
+  animal.left_hind = sticks.grow(hip, hindleg);
+  animal.right_hind = sticks.grow(hip, hindleg);
+  animal.graph = sticks.graph();
   return animal;
 }
 

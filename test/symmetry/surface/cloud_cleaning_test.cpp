@@ -77,7 +77,7 @@ TEST(CloudCleaning, CompletesNormalsByThePlaneOfTheNeighbours)
   usable.surface.normals.assign(usable.surface.size(), Vector3{0, 0, -1});
   usable.surface.normals[55] = {0, 0, 0};
   usable.neighbours = nearestNeighbours(usable.surface.points, 8);
-  completeNormals(usable, 1);
+  completeNormals(usable);
   EXPECT_NEAR(std::abs(usable.surface.normals[55][2]), 1.0F, 1e-5F);
   EXPECT_EQ(usable.is_oriented[55], 0);
   EXPECT_EQ(usable.is_oriented[54], 1);

@@ -1,30 +1,18 @@
 #include "base/vector_math.h"
 #include "support/boxes.h"
 #include "support/known_body.h"
+#include "support/prepared.h"
 #include "support/shapes.h"
 #include "symmetry/surface/mesh_subdivision.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
 
 namespace {
-
-PreparedSurface
-taken(const Surface& mesh)
-{
-  PreparedSurface surface;
-  surface.points = mesh.points;
-  surface.triangles = mesh.triangles;
-  surface.original.resize(mesh.size());
-  std::iota(surface.original.begin(), surface.original.end(), 0);
-  surface.representatives = surface.original;
-  return surface;
-}
 
 float
 longestSide(const PreparedSurface& surface)
@@ -50,7 +38,7 @@ asSurface(const PreparedSurface& surface)
 TEST(MeshSubdivision, SplitsUntilNoSideIsLongerThanWantedAndKeepsTheArea)
 {
   const Surface chair = chairOfBoxes();
-  PreparedSurface surface = taken(chair);
+  PreparedSurface surface = prepared(chair);
   const float spacing = evenSpacing(surface, 3000);
   const std::size_t added = splitLongSides(surface, 3000);
   EXPECT_EQ(surface.size(), chair.size() + added);
@@ -64,7 +52,7 @@ TEST(MeshSubdivision, SplitsUntilNoSideIsLongerThanWantedAndKeepsTheArea)
 TEST(MeshSubdivision, TellsOfANewPointWhatIsAtOneNearBy)
 {
   const Surface sphere = sphereMesh(3);
-  PreparedSurface surface = taken(sphere);
+  PreparedSurface surface = prepared(sphere);
   ASSERT_GT(splitLongSides(surface, 2000), 0U);
   for (std::size_t v = sphere.size(); v < surface.size(); ++v) {
     EXPECT_LT(distance(surface.points[v], sphere.points[surface.original[v]]), 0.3F); // half of a side of the sphere
@@ -74,7 +62,7 @@ TEST(MeshSubdivision, TellsOfANewPointWhatIsAtOneNearBy)
 TEST(MeshSubdivision, LeavesNoCornerOfATriangleOnTheSideOfAnother)
 {
   // Every side of a closed mesh belongs to two triangles, before and after.
-  PreparedSurface surface = taken(sphereMesh(2));
+  PreparedSurface surface = prepared(sphereMesh(2));
   splitLongSides(surface, 500);
   std::vector<std::pair<Index, Index>> sides;
   for (const Triangle& t : surface.triangles) {
@@ -91,7 +79,7 @@ TEST(MeshSubdivision, LeavesNoCornerOfATriangleOnTheSideOfAnother)
 
 TEST(MeshSubdivision, LeavesAFineMeshAlone)
 {
-  PreparedSurface surface = taken(sphereMesh(4));
+  PreparedSurface surface = prepared(sphereMesh(4));
   const std::vector<Triangle> before = surface.triangles;
   EXPECT_EQ(splitLongSides(surface, 1000), 0U);
   EXPECT_EQ(surface.triangles, before);
@@ -100,13 +88,13 @@ TEST(MeshSubdivision, LeavesAFineMeshAlone)
 
 TEST(MeshSubdivision, LeavesAloneWhatHasNoShapeOrNoArea)
 {
-  PreparedSurface box = taken({});
+  PreparedSurface box = prepared({});
   EXPECT_EQ(splitLongSides(box, 1000), 0U);
   Surface eight;
   addBox(eight, {0, 0, 0}, {1, 1, 1});
-  box = taken(eight);
+  box = prepared(eight);
   EXPECT_EQ(splitLongSides(box, 1000), 0U);
-  PreparedSurface flat = taken(scaled(sphereMesh(3), {1, 0, 0}));
+  PreparedSurface flat = prepared(scaled(sphereMesh(3), {1, 0, 0}));
   EXPECT_EQ(splitLongSides(flat, 1000), 0U);
 }
 

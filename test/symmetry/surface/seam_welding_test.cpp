@@ -1,4 +1,5 @@
 #include "base/vector_math.h"
+#include "support/prepared.h"
 #include "support/shapes.h"
 #include "symmetry/surface/mesh_cleaning.h"
 #include "symmetry/surface/seam_welding.h"
@@ -7,10 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 
 using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
 
 namespace {
 
@@ -18,18 +19,6 @@ std::size_t
 weldSeamsOf(PreparedSurface& surface)
 {
   return weldSeams(surface, openSides(surface.size(), surface.triangles));
-}
-
-PreparedSurface
-asPrepared(const Surface& surface)
-{
-  PreparedSurface prepared;
-  prepared.points = surface.points;
-  prepared.triangles = surface.triangles;
-  prepared.original.resize(surface.size());
-  std::iota(prepared.original.begin(), prepared.original.end(), 0);
-  prepared.representatives = prepared.original;
-  return prepared;
 }
 
 void
@@ -47,7 +36,7 @@ append(Surface& to, const Surface& other)
 Surface
 twoPatches(int rows, float gap, float z = 0.0F)
 {
-  Surface both = test::gridMesh(3, rows);
+  Surface both = gridMesh(3, rows);
   Surface right = both;
   for (Vector3& p : right.points) {
     p[0] += 2.0F + gap;
@@ -80,13 +69,13 @@ facetsOf(const Surface& surface, float rounding)
 std::size_t
 weldedPointsOf(const Surface& surface)
 {
-  PreparedSurface prepared = asPrepared(surface);
-  return weldSeamsOf(prepared);
+  PreparedSurface welded = prepared(surface);
+  return weldSeamsOf(welded);
 }
 
 TEST(SeamWelding, JoinsPatchesThatDifferInTheLastDigits)
 {
-  PreparedSurface surface = asPrepared(twoPatches(5, 1e-6F));
+  PreparedSurface surface = prepared(twoPatches(5, 1e-6F));
   EXPECT_EQ(weldSeamsOf(surface), 5U);
   EXPECT_EQ(surface.size(), 25U);
   EXPECT_EQ(surface.representatives[15], surface.representatives[2]); // both corners at the lower end of the seam
@@ -95,8 +84,8 @@ TEST(SeamWelding, JoinsPatchesThatDifferInTheLastDigits)
 
 TEST(SeamWelding, MakesOneSurfaceOfFacets)
 {
-  const Surface sphere = test::sphereMesh(3);
-  PreparedSurface surface = asPrepared(facetsOf(sphere, 1e-5F));
+  const Surface sphere = sphereMesh(3);
+  PreparedSurface surface = prepared(facetsOf(sphere, 1e-5F));
   weldSeamsOf(surface);
   EXPECT_EQ(surface.size(), sphere.size());
   EXPECT_EQ(surface.triangles.size(), sphere.triangles.size());
@@ -134,7 +123,7 @@ TEST(SeamWelding, KeepsSheetsApartThatAreCloserThanTheTolerance)
   // Two sheets half a hundredth of a side apart, each with a seam of its own.
   Surface sheets = twoPatches(5, 1e-6F);
   append(sheets, twoPatches(5, 1e-6F, 0.005F));
-  PreparedSurface surface = asPrepared(sheets);
+  PreparedSurface surface = prepared(sheets);
   EXPECT_EQ(weldSeamsOf(surface), 10U);
   for (const Triangle& t : surface.triangles) {
     EXPECT_EQ(surface.points[t[0]][2], surface.points[t[1]][2]);
@@ -144,11 +133,11 @@ TEST(SeamWelding, KeepsSheetsApartThatAreCloserThanTheTolerance)
 
 TEST(SeamWelding, DoesNotDependOnTheUnitOrTheOrderOfThePoints)
 {
-  const Surface patches = facetsOf(test::gridMesh(6, 6), 1e-5F);
+  const Surface patches = facetsOf(gridMesh(6, 6), 1e-5F);
   const std::size_t expected = weldedPointsOf(patches);
   EXPECT_EQ(expected, patches.size() - 36U);
-  EXPECT_EQ(weldedPointsOf(test::scaled(patches, {1e-25F, 1e-25F, 1e-25F})), expected);
-  EXPECT_EQ(weldedPointsOf(test::scaled(patches, {1e25F, 1e25F, 1e25F})), expected);
+  EXPECT_EQ(weldedPointsOf(scaled(patches, {1e-25F, 1e-25F, 1e-25F})), expected);
+  EXPECT_EQ(weldedPointsOf(scaled(patches, {1e25F, 1e25F, 1e25F})), expected);
   Surface reversed = patches;
   std::reverse(reversed.points.begin(), reversed.points.end());
   for (Triangle& t : reversed.triangles) {
@@ -161,7 +150,7 @@ TEST(SeamWelding, DoesNotDependOnTheUnitOrTheOrderOfThePoints)
 
 TEST(SeamWelding, LeavesAClosedMeshAlone)
 {
-  PreparedSurface surface = asPrepared(test::sphereMesh(2));
+  PreparedSurface surface = prepared(sphereMesh(2));
   const std::vector<Triangle> before = surface.triangles;
   EXPECT_EQ(weldSeamsOf(surface), 0U);
   EXPECT_EQ(surface.triangles, before);

@@ -55,20 +55,42 @@ FieldCollector::take(std::size_t width, std::size_t height)
   return std::make_shared<const PointFields>(std::move(kept_));
 }
 
-std::shared_ptr<const PointFields>
-colourFields(const std::vector<float>& values, std::size_t points)
+std::string
+plainFieldName(std::string_view word, std::size_t number)
 {
-  const std::size_t channels = points == 0 ? 0 : values.size() / points;
-  if ((channels != 3 && channels != 4) || values.size() != channels * points)
-    return nullptr;
-  static const std::string names[] = {"red", "green", "blue", "alpha"};
+  std::string name(word);
+  for (char& c : name)
+    if ((c < 'a' || c > 'z') && (c < 'A' || c > 'Z') && (c < '0' || c > '9'))
+      c = '_';
+  return name.empty() ? "column_" + std::to_string(number + 1) : name;
+}
+
+std::shared_ptr<const PointFields>
+appearanceFields(const std::vector<float>& colours, const std::vector<float>& texture, std::size_t points)
+{
+  struct Channel {
+    const char* name;
+    const float* first;
+    std::size_t stride;
+  };
+  std::vector<Channel> channels;
+  const std::size_t colour_channels = points == 0 ? 0 : colours.size() / points;
+  if ((colour_channels == 3 || colour_channels == 4) && colours.size() == colour_channels * points) {
+    static const char* const names[] = {"red", "green", "blue", "alpha"};
+    for (std::size_t i = 0; i < colour_channels; ++i)
+      channels.push_back({names[i], colours.data() + i, colour_channels});
+  }
+  if (points > 0 && texture.size() == 2 * points) {
+    channels.push_back({"u", texture.data(), 2});
+    channels.push_back({"v", texture.data() + 1, 2});
+  }
   FieldCollector fields;
-  for (std::size_t i = 0; i < channels; ++i)
-    fields.add(i, names[i], ScalarType::Float32, 1);
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    fields.add(i, channels[i].name, ScalarType::Float32, 1);
   fields.resize(points);
-  for (std::size_t i = 0; i < channels; ++i)
-    fields.copy(
-        i, {reinterpret_cast<const char*>(values.data() + i), channels * sizeof(float), ScalarType::Float32, false});
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    fields.copy(i, {reinterpret_cast<const char*>(channels[i].first), channels[i].stride * sizeof(float),
+                    ScalarType::Float32, /*swap_bytes=*/false});
   return fields.take(0, 0);
 }
 

@@ -3,6 +3,12 @@
 #include "io/read/surface_builder.h"
 #include "io/read/text_scanner.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
 namespace pcl {
 namespace symmetry {
 namespace {
@@ -10,8 +16,8 @@ namespace {
 /** \brief The surface as far as it is read, with what can only be judged at the end. */
 class ObjReader {
 public:
-  ObjReader(const FileContent& file, const Reading& reading)
-      : file_(file), origin_(reading.origin), text_(file, {/*hash_comments=*/true, /*backslash_continues=*/true})
+  ObjReader(const FileContent& file, Reading& reading)
+      : file_(file), reading_(reading), text_(file, {/*hash_comments=*/true, /*backslash_continues=*/true})
   {
   }
 
@@ -26,7 +32,7 @@ public:
                                                 std::to_string(surface_.size()));
     if (!normals_match_points_ || surface_.normals.size() != surface_.size())
       surface_.normals.clear();
-    surface_.fields = colourFields(colours_, surface_.size());
+    surface_.fields = appearanceFields(colours_, textureOfPoints(), surface_.size());
     return std::move(surface_);
   }
 
@@ -36,7 +42,7 @@ private:
   {
     const std::string_view keyword = text_.word();
     if (keyword == "v") {
-      surface_.points.push_back(readVector(origin_));
+      surface_.points.push_back(readVector(reading_.origin));
       readColour();
       if (surface_.size() > point_limit)
         text_.fail("more points than can be numbered");
@@ -44,6 +50,9 @@ private:
     else if (keyword == "vn") {
       surface_.normals.push_back(readVector({0.0, 0.0, 0.0}));
       text_.needLineEnd();
+    }
+    else if (keyword == "vt") {
+      texture_.push_back({text_.number(), text_.atLineEnd() ? 0.0F : text_.number()});
     }
     else if (keyword == "f" || keyword == "fo") { // fo: a face of the first versions of the format
       readFace();
@@ -97,7 +106,7 @@ private:
       const std::size_t second_slash = rest.find('/');
       const std::string_view texture = rest.substr(0, second_slash);
       if (!texture.empty())
-        needInteger(word, texture);
+        textured_corners_.emplace_back(point, textureIndex(word, texture));
       const std::string_view last =
           second_slash == std::string_view::npos ? std::string_view() : rest.substr(second_slash + 1);
       if (!last.empty()) {
@@ -110,6 +119,40 @@ private:
       largest_index_line_ = text_.line();
     }
     return static_cast<Index>(point);
+  }
+
+  /** \brief An index of a texture coordinate, which may be of a later line, or of none at all: no face needs it. */
+  std::int64_t
+  textureIndex(std::string_view word, std::string_view part) const
+  {
+    const std::int64_t number = needInteger(word, part);
+    return number < 0 ? static_cast<std::int64_t>(texture_.size()) + number : number - 1;
+  }
+
+  /** \brief Texture coordinates of each point: those of the first corner that has some. Not numbers where no corner has;
+   * empty where none of all has. Along the seams of a texture corners of one point differ, which a note counts. */
+  std::vector<float>
+  textureOfPoints()
+  {
+    std::vector<float> of_points;
+    std::vector<char> is_seam(textured_corners_.empty() ? 0 : surface_.size(), 0);
+    for (const auto& [point, index] : textured_corners_) {
+      if (index < 0 || index >= static_cast<std::int64_t>(texture_.size()))
+        continue;
+      if (of_points.empty())
+        of_points.assign(2 * surface_.size(), std::numeric_limits<float>::quiet_NaN());
+      const std::array<float, 2>& coordinates = texture_[static_cast<std::size_t>(index)];
+      float* const own = of_points.data() + 2 * point;
+      if (std::isnan(own[0]))
+        std::copy(coordinates.begin(), coordinates.end(), own);
+      else if (!std::equal(coordinates.begin(), coordinates.end(), own))
+        is_seam[static_cast<std::size_t>(point)] = 1;
+    }
+    const auto seams = std::count(is_seam.begin(), is_seam.end(), 1);
+    if (seams > 0)
+      reading_.notes.push_back(std::to_string(seams) + " points lie on seams of the texture: u and v are those of the "
+                                                       "first face that has them");
+    return of_points;
   }
 
   std::int64_t
@@ -133,11 +176,13 @@ private:
   }
 
   const FileContent& file_;
-  const std::array<double, 3>& origin_;
+  Reading& reading_;
   TextScanner text_;
   Surface surface_;
   std::vector<Index> corners_;
   std::vector<float> colours_;
+  std::vector<std::array<float, 2>> texture_;
+  std::vector<std::pair<std::int64_t, std::int64_t>> textured_corners_; ///< point, texture coordinates
   bool all_coloured_ = true;
   bool normals_match_points_ = true;
   std::int64_t largest_index_ = -1;

@@ -106,7 +106,7 @@ public:
       readFace();
     if (text_.nextLine())
       text_.fail("unexpected " + quoted(text_.word()) + " behind the last face");
-    surface_.fields = colourFields(colours_, surface_.size());
+    surface_.fields = appearanceFields(colours_, texture_, surface_.size());
     return std::move(surface_);
   }
 
@@ -178,12 +178,16 @@ private:
     const std::size_t begin = colours_.size();
     while (!text_.atLineEnd()) {
       const float number = text_.number();
-      if (header_.colours && colours_.size() <= begin + 6) // more than colour and texture coordinates have
+      if (colours_.size() <= begin + 6) // more than colour and texture coordinates have
         colours_.push_back(number);
     }
     // Texture coordinates come last.
-    if (header_.texture && colours_.size() >= begin + 2)
+    if (header_.texture && colours_.size() >= begin + 2) {
+      texture_.insert(texture_.end(), colours_.end() - 2, colours_.end());
       colours_.resize(colours_.size() - 2);
+    }
+    if (!header_.colours)
+      colours_.resize(begin);
     all_coloured_ = all_coloured_ && colours_.size() == surface_.size() * (colours_.size() - begin);
     if (!all_coloured_)
       colours_.clear();
@@ -212,6 +216,7 @@ private:
   const std::array<double, 3>& origin_;
   TextScanner text_;
   std::vector<float> colours_;
+  std::vector<float> texture_;
   bool all_coloured_ = true;
   Surface surface_;
   std::vector<Index> corners_;
@@ -297,8 +302,7 @@ private:
       copyColumn(column(i), i, surface_.points, header_.homogeneous ? 0.0 : origin_[i]);
       copyColumn(column(normal_word + i), i, surface_.normals);
     }
-    if (header_.colours)
-      keepColours(normal_word + (header_.normals ? 3 : 0), column);
+    keepAppearance(normal_word + (header_.normals ? 3 : 0), column);
     if (!header_.homogeneous)
       return;
     for (std::size_t point = 0; point < count; ++point) {
@@ -310,14 +314,18 @@ private:
 
   template <typename Column>
   void
-  keepColours(std::size_t first_word, Column column)
+  keepAppearance(std::size_t first_word, Column column)
   {
-    static const std::string names[] = {"red", "green", "blue", "alpha"};
+    std::vector<const char*> names;
+    if (header_.colours)
+      names = {"red", "green", "blue", "alpha"};
+    if (header_.texture)
+      names.insert(names.end(), {"u", "v"});
     FieldCollector fields;
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < names.size(); ++i)
       fields.add(i, names[i], ScalarType::Float32, 1);
     fields.resize(surface_.size());
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < names.size(); ++i)
       fields.copy(i, column(first_word + i));
     surface_.fields = fields.take(0, 0);
   }

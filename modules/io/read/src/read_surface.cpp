@@ -22,8 +22,21 @@ readByEnding(const FileContent& file, const std::string& ending, Reading& readin
     return readOff(file, reading);
   if (ending == ".stl")
     return readStl(file, reading);
-  file.fail("unknown ending '" + ending + "': a surface is read from .pcd, .ply, .obj, .off or .stl, or from such a " +
-            "file compressed, with .gz behind");
+  if (ending == ".xyz" || ending == ".txt" || ending == ".asc" || ending == ".pts")
+    return readXyz(file, reading);
+  if (ending == ".vtk")
+    return readVtk(file, reading);
+#ifdef PCL_SYMMETRY_WITH_ASSIMP
+  if (ending == ".glb" || ending == ".gltf" || ending == ".3mf")
+    return readScene(file, ending, reading);
+#endif
+  for (const char* optional : {".glb", ".gltf", ".3mf"})
+    if (ending == optional)
+      file.fail(ending +
+                " files are read where the library is built with PCL_SYMMETRY_WITH_ASSIMP, which this one is not");
+  file.fail("unknown ending '" + ending +
+            "': a surface is read from .pcd, .ply, .obj, .off, .stl, .vtk or .xyz (.txt, .asc, " +
+            ".pts), or from such a file compressed, with .gz behind");
 }
 
 /** \brief Names what is no text of any format, and yet may have the right ending. */

@@ -9,12 +9,6 @@ namespace symmetry {
 namespace {
 
 bool
-isBlank(char c)
-{
-  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
-bool
 isLineEnd(char c)
 {
   return c == '\n' || c == '\r';

@@ -107,20 +107,27 @@ describeAlternatives(const std::vector<AlternativeMap>& alternatives)
 }
 
 Json
+describeStaged(const StagedParameters& staged)
+{
+  return {{"landmarks", staged.landmarks},
+          {"samples", staged.samples},
+          {"embedding_dimensions", staged.embedding_dimensions},
+          {"extremities", nameOf(extreme_points_names, staged.extremities)},
+          {"pairing", nameOf(pairing_names, staged.pairing)}};
+}
+
+Json
 describeParameters(const SymmetryParameters& parameters)
 {
   return {{"method", nameOf(method_names, parameters.method)},
+          {"robust", {{"samples", parameters.robust.samples}}},
+          {"staged", describeStaged(parameters.staged)},
           {"metric", nameOf(metric_names, parameters.metric)},
           {"k_search", parameters.k_search},
           {"radius", toJson(parameters.radius)},
           {"normals", nameOf(normal_source_names, parameters.normals)},
           {"components", nameOf(component_use_names, parameters.components)},
           {"outlier_deviations", toJson(parameters.outlier_deviations)},
-          {"landmarks", parameters.landmarks},
-          {"samples", parameters.samples},
-          {"embedding_dimensions", parameters.embedding_dimensions},
-          {"extremities", nameOf(extreme_points_names, parameters.extremities)},
-          {"pairing", nameOf(pairing_names, parameters.pairing)},
           {"sparse_only", parameters.sparse_only},
           {"label_axis", parameters.label_axis},
           {"alternatives", parameters.alternatives},

@@ -49,7 +49,7 @@ selectReflections(const LandmarkSurface& landmarks,
                   const std::vector<SymmetryCandidate>& candidates,
                   std::size_t most)
 {
-  constexpr float least_relative_confidence = 0.9F;
+  constexpr float least_relative_confidence = 0.9F; // of the best one's: as good as it; by hand
   std::vector<DistinctReflection> reflections;
   for (const SymmetryCandidate& candidate : candidates) {
     const bool is_result = reflections.empty();

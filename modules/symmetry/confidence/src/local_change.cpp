@@ -17,7 +17,7 @@ distancesToPartners(const SampledSurface& sampled, const std::vector<Index>& par
   const SampleInterpolation& interpolation = sampled.interpolation;
   Eigen::MatrixXf result(to_samples.cols(), to_samples.cols());
   parallelFor(
-      static_cast<std::size_t>(result.cols()), sampled.threads,
+      static_cast<std::size_t>(result.cols()),
       [&](std::size_t j) {
         const Index point = partners[j];
         auto column = result.col(static_cast<Eigen::Index>(j));
@@ -42,7 +42,7 @@ localDistanceChange(const SampledSurface& sampled, const std::vector<Index>& par
   const float diameter = sampled.landmarks.diameter;
   std::vector<float> change(static_cast<std::size_t>(to_partners.cols()), 0.0F);
   parallelFor(
-      change.size(), sampled.threads,
+      change.size(),
       [&](std::size_t k) {
         const auto i = static_cast<Eigen::Index>(k);
         std::vector<float> changes;

@@ -10,7 +10,7 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr float tiny = 1e-3F;
+constexpr float tiny = 1e-3F; // relative change of distances: keeps the ratio of two finite
 
 /** Weights that fall off with the distance from every landmark: column i those around landmark i, exp (-(d /
  * radius)^2). \param[in] radius share of the diameter */
@@ -64,7 +64,7 @@ averagedColumns(const Eigen::MatrixXf& matrix, const LandmarkSurface& landmarks,
 std::vector<float>
 stretchAround(const LandmarkSurface& landmarks, const SampleMap& map)
 {
-  constexpr float radius = 0.2F;
+  constexpr float radius = 0.2F; // share of the diameter, half of a limb; by hand
   const std::vector<char> comparable = comparableLandmarks(landmarks, map);
   const auto count = static_cast<Eigen::Index>(landmarks.size());
   Eigen::MatrixXf change(count, count);
@@ -107,7 +107,7 @@ averageDistanceChanges(const LandmarkSurface& landmarks, const SampleMap& map)
 std::vector<float>
 curvatureChangeAround(const LandmarkSurface& landmarks, const Eigen::MatrixXf& curvature, const SampleMap& map)
 {
-  constexpr float radius = 0.12F;
+  constexpr float radius = 0.12F; // share of the diameter, about a hand and its wrist; by hand
   const std::vector<char> comparable = comparableLandmarks(landmarks, map);
   const auto count = static_cast<Eigen::Index>(landmarks.size());
   const float variance = curvature.topRows(count).squaredNorm() / static_cast<float>(count);

@@ -75,14 +75,13 @@ twinsOfParts(const PreparedSurface& surface, const std::vector<Index>& partners)
 } // namespace
 
 MirrorMap
-mapByMirror(
-    const PreparedSurface& surface, const PlaneReflection& plane, float tolerance, float reach, unsigned threads)
+mapByMirror(const PreparedSurface& surface, const PlaneReflection& plane, float tolerance, float reach)
 {
   constexpr std::size_t grain = 256;
   MirrorMap map{std::vector<Index>(surface.size(), no_index), std::vector<float>(surface.size(), reach)};
   const auto search = [&](const NearestPoints& nearest, const std::vector<Index>& twins) {
     parallelFor(
-        surface.size(), threads,
+        surface.size(),
         [&](std::size_t v) {
           if (map.partners[v] == no_index) {
             const Index twin = twins.empty() ? no_index : twins[surface.part_of[v]];

@@ -60,19 +60,40 @@ private:
   Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
 };
 
-/** Calls step (plane, scale) in rounds with falling scales. */
-template <typename Step>
+/** Where the image of a sample is drawn from. */
+struct Gap {
+  Vector3 vector;
+  Eigen::Matrix3d metric; ///< how much it counts in each direction
+};
+
+/** Steps in rounds with falling scales; gap (plane, i, image) is that of the image of sample i, if it has one. */
+template <typename FindGap>
 PlaneReflection
-inRounds(PlaneReflection plane, int rounds, const AlignmentSettings& settings, float diagonal, Step step)
+closeGaps(PlaneReflection plane,
+          int rounds,
+          const AreaSamples& samples,
+          const AlignmentSettings& settings,
+          float diagonal,
+          FindGap gap)
 {
   for (int round = 0; round < rounds; ++round) {
     const float part = static_cast<float>(round) / static_cast<float>(std::max(1, rounds - 1));
-    plane = step(plane, diagonal * settings.first_scale * std::pow(settings.last_scale / settings.first_scale, part));
+    AlignmentStep step(plane,
+                       diagonal * settings.first_scale * std::pow(settings.last_scale / settings.first_scale, part));
+    for (std::size_t i = 0; i < std::min(sources, samples.size()); ++i) {
+      if (const std::optional<Gap> found = gap(plane, i, plane.image(samples.points[i]))) {
+        step.add(samples.points[i], samples.areas[i], toEigen(found->vector), found->metric);
+      }
+    }
+    plane = step.moved();
   }
   return plane;
 }
 
 } // namespace
+
+/** Cubes are smaller than the reach by so much: where points are crowded few of them are met. */
+constexpr float fineness = 4.0F;
 
 PointAlignment::PointAlignment(const AreaSamples& samples,
                                const AlignmentTargets& targets,
@@ -82,28 +103,24 @@ PointAlignment::PointAlignment(const AreaSamples& samples,
       targets_(targets),
       settings_(settings),
       diagonal_(diagonal),
-      grid_(targets.points, settings.reach * diagonal)
+      grid_(targets.points, settings.reach * diagonal / fineness)
 {
 }
 
 PlaneReflection
 PointAlignment::run(PlaneReflection plane, int rounds) const
 {
-  return inRounds(plane, rounds, settings_, diagonal_, [this](const PlaneReflection& from, float scale) {
-    AlignmentStep step(from, scale);
-    for (std::size_t i = 0; i < std::min(sources, samples_.size()); ++i) {
-      const Vector3 image = from.image(samples_.points[i]);
-      const Index q = nearestTarget(image);
-      if (q == no_index) {
-        continue;
-      }
-      const Eigen::Vector3d facing = toEigen(targets_.normals[q]);
-      const Eigen::Matrix3d metric =
-          (1.0 - settings_.slide) * facing * facing.transpose() + settings_.slide * Eigen::Matrix3d::Identity();
-      step.add(samples_.points[i], samples_.areas[i], toEigen(image - targets_.points[q]), metric);
+  const auto gap = [this](const PlaneReflection& /*from*/, std::size_t /*sample*/, const Vector3& image) {
+    const Index q = nearestTarget(image);
+    if (q == no_index) {
+      return std::optional<Gap>();
     }
-    return step.moved();
-  });
+    const Eigen::Vector3d facing = toEigen(targets_.normals[q]);
+    const Eigen::Matrix3d metric =
+        (1.0 - settings_.slide) * facing * facing.transpose() + settings_.slide * Eigen::Matrix3d::Identity();
+    return std::optional<Gap>({image - targets_.points[q], metric});
+  };
+  return closeGaps(plane, rounds, samples_, settings_, diagonal_, gap);
 }
 
 Index
@@ -111,12 +128,13 @@ PointAlignment::nearestTarget(const Vector3& place) const
 {
   Index best = no_index;
   float least = settings_.reach * diagonal_;
-  grid_.visitAround(place, [&](Index v) {
+  grid_.visitNearest(place, least, [&](Index v) {
     const float apart = distance(targets_.points[v], place);
-    if (apart < least) {
+    if (apart < least || (apart == least && v < best)) {
       least = apart;
       best = v;
     }
+    return least;
   });
   return best;
 }
@@ -132,23 +150,19 @@ SurfaceAlignment::SurfaceAlignment(const AreaSamples& samples,
 PlaneReflection
 SurfaceAlignment::run(PlaneReflection plane, int rounds) const
 {
-  return inRounds(plane, rounds, settings_, diagonal_, [this](const PlaneReflection& from, float scale) {
-    AlignmentStep step(from, scale);
-    for (std::size_t i = 0; i < std::min(sources, samples_.size()); ++i) {
-      const Vector3 image = from.image(samples_.points[i]);
-      const std::optional<SurfaceDistance::Nearest> near = surface_.nearest(image);
-      if (!near) {
-        continue;
-      }
-      // Along the gap alone, where there is one: across its border a sheet pulls in its own plane.
-      constexpr float rounding = 1e-6F; // surfaces are at unit scale
-      const Vector3 way =
-          near->distance > rounding ? normalized(image - near->place) : from.turned(samples_.normals[i]);
-      const Eigen::Vector3d facing = toEigen(way);
-      step.add(samples_.points[i], samples_.areas[i], toEigen(image - near->place), facing * facing.transpose());
+  const auto gap = [this](const PlaneReflection& from, std::size_t sample, const Vector3& image) {
+    const std::optional<SurfaceDistance::Nearest> near = surface_.nearest(image);
+    if (!near) {
+      return std::optional<Gap>();
     }
-    return step.moved();
-  });
+    // Along the gap alone, where there is one: across its border a sheet pulls in its own plane.
+    constexpr float rounding = 1e-6F; // surfaces are at unit scale
+    const Vector3 way =
+        near->distance > rounding ? normalized(image - near->place) : from.turned(samples_.normals[sample]);
+    const Eigen::Vector3d facing = toEigen(way);
+    return std::optional<Gap>({image - near->place, facing * facing.transpose()});
+  };
+  return closeGaps(plane, rounds, samples_, settings_, diagonal_, gap);
 }
 
 } // namespace symmetry

@@ -97,12 +97,16 @@ constexpr float widest_radius = 0.06F;
 
 } // namespace
 
+/** Cubes are smaller than what is searched around a place by so much: where points are crowded few of them are met. */
+constexpr float fineness = 4.0F;
+
 SurfaceDistance::SurfaceDistance(const PreparedSurface& surface, float reach)
     : surface_(surface),
       reach_(reach),
       middles_(surface.is_cloud ? std::vector<Vector3>{} : middlesOfTriangles(surface)),
       radii_(surface.is_cloud ? farEdges(surface.graph) : radiiOfTriangles(surface, middles_)),
-      grid_(surface.is_cloud ? surface.points : middles_, reach + std::min(widest_radius, largestOf(radii_)))
+      widest_(std::min(widest_radius, largestOf(radii_))),
+      grid_(surface.is_cloud ? surface.points : middles_, (reach + widest_) / fineness)
 {
 }
 
@@ -130,16 +134,19 @@ std::optional<SurfaceDistance::Nearest>
 SurfaceDistance::nearest(const Vector3& place) const
 {
   std::optional<Nearest> best;
+  Index nearest = no_index;
   float least = reach_;
-  grid_.visitAround(place, [&](Index i) {
-    if (!surface_.is_cloud && distance(middles_[i], place) > least + radii_[i]) {
-      return;
+  const float around = surface_.is_cloud ? 0.0F : widest_;
+  grid_.visitNearest(place, std::max(widest_, reach_ + around), [&](Index i) {
+    if (surface_.is_cloud || distance(middles_[i], place) <= least + radii_[i]) {
+      const Nearest found = surface_.is_cloud ? nearestOfPlane(i, place) : nearestOfTriangle(i, place);
+      if (found.distance < least || (found.distance == least && i > nearest)) {
+        least = found.distance;
+        best = found;
+        nearest = i;
+      }
     }
-    const Nearest found = surface_.is_cloud ? nearestOfPlane(i, place) : nearestOfTriangle(i, place);
-    if (found.distance <= least) {
-      least = found.distance;
-      best = found;
-    }
+    return std::max(widest_, least + around);
   });
   return best;
 }

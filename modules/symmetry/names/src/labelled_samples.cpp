@@ -78,15 +78,13 @@ ComparableSurface
 describeLabelled(const Surface& surface,
                  const std::vector<Side>& sides,
                  const std::vector<Index>& partners,
-                 const NeighbourSearch& search,
-                 unsigned threads)
+                 const NeighbourSearch& search)
 {
   const MatchedPart part = matchedPart(surface, partners);
   if (part.original.size() < minimum_samples) {
     return {};
   }
-  SymmetryParameters parameters;
-  parameters.threads = threads;
+  const SymmetryParameters parameters;
   // As an estimation does in its first attempt.
   const PreparedSurface prepared =
       prepareSurface(usablePoints(part.surface, parameters, search, NoiseInterpretation::Close, FaceUse::Connection,
@@ -96,7 +94,7 @@ describeLabelled(const Surface& surface,
     return {};
   }
   StepTimer timer;
-  const SampledSurface sampled = sampleSurface(prepared, SamplingSettings{}, parameters.metric, threads, timer);
+  const SampledSurface sampled = sampleSurface(prepared, SamplingSettings{}, parameters.metric, timer);
   if (sampled.coarse.size() < minimum_samples) {
     return {};
   }

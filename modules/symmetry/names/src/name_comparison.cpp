@@ -255,14 +255,14 @@ NameComparison::margin() const
 }
 
 NameComparison
-compareNames(const ComparableSurface& first, const ComparableSurface& second, unsigned threads)
+compareNames(const ComparableSurface& first, const ComparableSurface& second)
 {
   if (!first.isComparable() || !second.isComparable()) {
     return {};
   }
   const HalfSearch search(first, second);
   std::vector<HalfMap> maps(2 * search.starts());
-  parallelFor(maps.size(), threads, [&](std::size_t k) { maps[k] = search.fromStart(k / 2, k % 2 == 0 ? 1.0 : -1.0); });
+  parallelFor(maps.size(), [&](std::size_t k) { maps[k] = search.fromStart(k / 2, k % 2 == 0 ? 1.0 : -1.0); });
   // Thin bodies have a front and a back that are alike to the low functions: what was found with one orientation is a
   // start for the other.
   std::vector<std::pair<const HalfMap*, double>> again;
@@ -272,8 +272,7 @@ compareNames(const ComparableSurface& first, const ComparableSurface& second, un
     }
   }
   std::vector<HalfMap> more(again.size());
-  parallelFor(more.size(), threads,
-              [&](std::size_t k) { more[k] = search.refined(again[k].first->map, 1, again[k].second); });
+  parallelFor(more.size(), [&](std::size_t k) { more[k] = search.refined(again[k].first->map, 1, again[k].second); });
   constexpr double none = std::numeric_limits<double>::infinity();
   NameComparison best{none, none, 0.0};
   double worst = 0.0;

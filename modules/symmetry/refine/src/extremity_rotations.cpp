@@ -111,7 +111,7 @@ rotateExtremities(const SampledSurface& sampled,
 {
   const CoarseSurface& coarse = sampled.coarse;
   std::vector<std::vector<std::pair<Index, Index>>> moved(extremities.size());
-  parallelFor(extremities.size(), sampled.threads, [&](std::size_t k) {
+  parallelFor(extremities.size(), [&](std::size_t k) {
     const Extremity extremity(sampled.surface, coarse, fitting, extremities[k], radius, partners);
     PatchPlacement better;
     if (!extremity.isLargeEnough() || !findBetterTurn(extremity, better)) {

@@ -48,11 +48,10 @@ PatchAlignment::PatchAlignment(const SampledSurface& sampled, const PatchSize& s
 {
   const float radius = size.radius * sampled.landmarks.diameter;
   parallelFor(
-      patches_.size(), sampled.threads,
-      [&](std::size_t k) { patches_[k] = patchAround(coarse_, static_cast<Index>(k), radius); }, 8);
+      patches_.size(), [&](std::size_t k) { patches_[k] = patchAround(coarse_, static_cast<Index>(k), radius); }, 8);
   parallelFor(
-      coarse_.size(), sampled.threads,
-      [&](std::size_t i) { surroundings_[i] = withinTwoSteps(coarse_.graph, static_cast<Index>(i)); }, 32);
+      coarse_.size(), [&](std::size_t i) { surroundings_[i] = withinTwoSteps(coarse_.graph, static_cast<Index>(i)); },
+      32);
 }
 
 std::vector<Index>
@@ -61,7 +60,7 @@ PatchAlignment::align(std::vector<Index> partners, int rounds) const
   for (int round = 0; round < rounds; ++round) {
     const std::vector<WantedPlace> wanted = wantedPlaces(partners);
     parallelFor(
-        coarse_.size(), sampled_.threads,
+        coarse_.size(),
         [&](std::size_t i) {
           if (wanted[i].weight > 0.0F) {
             partners[i] = nearestFacing(partners[i], wanted[i]);
@@ -78,7 +77,7 @@ PatchAlignment::fits(const std::vector<Index>& partners) const
 {
   std::vector<PatchFit> fits(patches_.size());
   parallelFor(
-      fits.size(), sampled_.threads,
+      fits.size(),
       [&](std::size_t k) {
         const std::vector<OrientedMatch> matches = matchesOf(patches_[k], partners);
         const RigidReflection reflection = fitReflection(matches, 2.0F * spacing_);
@@ -125,7 +124,7 @@ PatchAlignment::wantedPlaces(const std::vector<Index>& partners) const
 {
   std::vector<RigidReflection> reflections(patches_.size());
   parallelFor(
-      patches_.size(), sampled_.threads,
+      patches_.size(),
       [&](std::size_t k) { reflections[k] = fitReflection(matchesOf(patches_[k], partners), 2.0F * spacing_); }, 8);
   const float best_error = 0.06F * spacing_ * spacing_; // no fit is trusted beyond the precision of the samples
   std::vector<WantedPlace> wanted(coarse_.size());
@@ -152,7 +151,7 @@ PatchAlignment::wantedPlaces(const std::vector<Index>& partners) const
 Index
 PatchAlignment::nearestFacing(Index partner, const WantedPlace& wanted) const
 {
-  const float turn_cost = 8.0F * spacing_ * spacing_;
+  const float turn_cost = 8.0F * spacing_ * spacing_; // a right angle costs like 2.8 spacings; by hand
   const auto cost = [&](Index v) {
     const Vector3 off = surface_.points[v] - wanted.place;
     return dot(off, off) + turn_cost * (1.0F - dot(wanted.normal, surface_.normals[v]));

@@ -41,7 +41,7 @@ probeCells(const SampledSurface& sampled, const RowMatrix& functions)
   const std::vector<Index>& points = probes.members.points;
   probes.functions.setZero(static_cast<Eigen::Index>(points.size()), functions.cols());
   parallelFor(
-      points.size(), sampled.threads,
+      points.size(),
       [&](std::size_t p) {
         auto row = probes.functions.row(static_cast<Eigen::Index>(p));
         const Index point = points[p];
@@ -88,7 +88,7 @@ partnersOfSamples(const SampledSurface& sampled, const SampleMap& map, const Eig
   const CellProbes probes = probeCells(sampled, functions);
   std::vector<Index> partners(coarse.size());
   parallelFor(
-      coarse.size(), sampled.threads,
+      coarse.size(),
       [&](std::size_t i) {
         float least = std::numeric_limits<float>::infinity();
         for (const Index cell : cellAndNeighbours(coarse.graph, map[i])) {
@@ -112,7 +112,7 @@ mutualPartners(const SampledSurface& sampled, std::vector<Index> sample_partners
   for (int round = 0; round < rounds; ++round) {
     const BidirectionalMatches matches(sampled.surface, coarse, sample_partners);
     parallelFor(
-        coarse.size(), sampled.threads,
+        coarse.size(),
         [&](std::size_t i) {
           const Index home = coarse.cells.owner[sample_partners[i]];
           sample_partners[i] =
@@ -130,7 +130,7 @@ partnersOfPoints(const SampledSurface& sampled, const std::vector<Index>& sample
   const BidirectionalMatches matches(sampled.surface, coarse, sample_partners);
   std::vector<Index> partners(sampled.surface.size());
   parallelFor(
-      partners.size(), sampled.threads,
+      partners.size(),
       [&](std::size_t v) {
         const Index home = coarse.cells.owner[sample_partners[coarse.cells.owner[v]]];
         partners[v] =

@@ -40,8 +40,7 @@ public:
                  0.5F * radius_)
   {
     parallelFor(
-        patches_.size(), sampled.threads,
-        [&](std::size_t k) { patches_[k] = patchAround(coarse_, static_cast<Index>(k), radius_); }, 8);
+        patches_.size(), [&](std::size_t k) { patches_[k] = patchAround(coarse_, static_cast<Index>(k), radius_); }, 8);
   }
 
   /** Gives each patch the reflection that a map has there. */
@@ -49,7 +48,7 @@ public:
   start(const std::vector<Index>& partners)
   {
     parallelFor(
-        patches_.size(), sampled_.threads,
+        patches_.size(),
         [&](std::size_t k) {
           const RigidReflection reflection = fitting_.byMap(patches_[k], sampled_.surface, partners);
           placements_[k] = fitting_.settled(patches_[k], reflection, 1.0F, settings_.well);
@@ -88,7 +87,7 @@ public:
   {
     const std::vector<Index> patch_of = mostTrusted();
     parallelFor(
-        coarse_.size(), sampled_.threads,
+        coarse_.size(),
         [&](std::size_t i) {
           const Index k = patch_of[i];
           if (k == no_index || has_grown_[k] == 0) {

@@ -29,7 +29,7 @@ float
 logMisfit(const PatchFit& fit)
 {
   constexpr float least_distance = 2e-3F; // sampling noise
-  constexpr float least_turn = 0.01F;
+  constexpr float least_turn = 0.01F;     // the same: 8 degrees
   return 0.5F * std::log(fit.distance + least_distance) + std::log(fit.turn + least_turn);
 }
 
@@ -55,8 +55,8 @@ std::vector<Index>
 SampleRefinement::spectralPartners(const SymmetryCandidate& candidate) const
 {
   const Eigen::MatrixXf functions = sampled_.basis.functions.leftCols(candidate.matrix.cols());
-  SampleMap map = nearestRows(functions * candidate.matrix, functions, sampled_.threads);
-  const Eigen::MatrixXf matrix = upward_.refine(map, sampled_.threads);
+  SampleMap map = nearestRows(functions * candidate.matrix, functions);
+  const Eigen::MatrixXf matrix = upward_.refine(map);
   return partnersOfSamples(sampled_, map, matrix);
 }
 

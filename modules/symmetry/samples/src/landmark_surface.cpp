@@ -17,7 +17,7 @@ constexpr LandmarkSettings settings{};
 std::vector<Index>
 nearestOfSamples(const DistanceFields& fields)
 {
-  std::vector<Index> nearest(fields.columns, 0);
+  std::vector<Index> nearest(fields.columns);
   for (std::size_t i = 1; i < fields.rows(); ++i) {
     for (std::size_t v = 0; v < fields.columns; ++v) {
       if (fields.row(i)[v] < fields.row(static_cast<std::size_t>(nearest[v]))[v]) {
@@ -89,13 +89,13 @@ nearestLandmarks(const Eigen::MatrixXf& distances, std::size_t count)
 }
 
 LandmarkSurface
-makeLandmarkSurface(const CoarseSurface& surface, std::size_t landmarks, Metric metric, unsigned threads)
+makeLandmarkSurface(const CoarseSurface& surface, std::size_t landmarks, Metric metric)
 {
   LandmarkSurface result;
   const std::size_t count = std::min(landmarks, surface.size());
   std::vector<Index> sources(count);
   std::iota(sources.begin(), sources.end(), 0);
-  const DistanceFields fields = distanceFields(surface.graph, sources, threads);
+  const DistanceFields fields = distanceFields(surface.graph, sources);
 
   const auto n = static_cast<Eigen::Index>(count);
   result.distances.resize(n, n);

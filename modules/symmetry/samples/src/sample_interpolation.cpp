@@ -70,7 +70,7 @@ SampleInterpolation::at(std::size_t v, const std::vector<float>& values) const
 }
 
 SampleInterpolation
-interpolateFromSamples(const PreparedSurface& surface, const CoarseSurface& coarse, unsigned threads)
+interpolateFromSamples(const PreparedSurface& surface, const CoarseSurface& coarse)
 {
   SampleInterpolation interpolation;
   interpolation.offsets.reserve(surface.size() + 1);
@@ -83,7 +83,7 @@ interpolateFromSamples(const PreparedSurface& surface, const CoarseSurface& coar
   interpolation.weights.resize(interpolation.offsets.back());
   constexpr std::size_t grain = 1024;
   parallelFor(
-      surface.size(), threads,
+      surface.size(),
       [&](std::size_t v) {
         const Index owner = coarse.cells.owner[v];
         Index* samples = interpolation.samples.data() + interpolation.offsets[v];

@@ -28,9 +28,9 @@ rowsOf(const Eigen::MatrixXf& matrix, const SampleMap& rows)
 } // namespace
 
 SampleMap
-nearestRows(const Eigen::MatrixXf& queries, const Eigen::MatrixXf& targets, unsigned threads)
+nearestRows(const Eigen::MatrixXf& queries, const Eigen::MatrixXf& targets)
 {
-  return RowSearch(targets).nearest(queries, threads);
+  return RowSearch(targets).nearest(queries);
 }
 
 Eigen::MatrixXf
@@ -75,11 +75,11 @@ UpwardRefinement::UpwardRefinement(const Eigen::MatrixXf& functions,
 }
 
 SampleMap
-UpwardRefinement::match(const Level& level, const Eigen::MatrixXf& matrix, unsigned threads) const
+UpwardRefinement::match(const Level& level, const Eigen::MatrixXf& matrix) const
 {
   const Eigen::MatrixXf images = level.functions * matrix;
   if (descriptor_ == nullptr) {
-    return level.search.nearest(images, threads);
+    return level.search.nearest(images);
   }
   // Row and column 0 belong to the constant function.
   const Eigen::Index d = matrix.cols() - 1;
@@ -87,16 +87,16 @@ UpwardRefinement::match(const Level& level, const Eigen::MatrixXf& matrix, unsig
       descriptor_->mirroredLocalParts(matrix.bottomRightCorner(d, d), level.functions.rows());
   Eigen::MatrixXf queries(images.rows(), images.cols() + local_parts.cols());
   queries << images, level.weight * local_parts;
-  return level.search.nearest(queries, threads);
+  return level.search.nearest(queries);
 }
 
 Eigen::MatrixXf
-UpwardRefinement::refine(SampleMap& map, unsigned threads) const
+UpwardRefinement::refine(SampleMap& map) const
 {
   Eigen::MatrixXf matrix;
   for (const Level& level : levels_) {
     matrix = nearestInvolution(level.pseudo_inverse * rowsOf(level.functions, map));
-    map = match(level, matrix, threads);
+    map = match(level, matrix);
   }
   return matrix;
 }

@@ -82,10 +82,11 @@ trianglesWithinTwoSteps(const LandmarkSurface& landmarks,
 std::vector<bool>
 unsoundLandmarks(const LandmarkSurface& landmarks, const std::vector<float>& reversal)
 {
+  // Reversal is -1 where the orientation is kept, 1 where it is turned over; both limits are chosen by hand.
   constexpr float kept = -0.2F;
   constexpr float uncertain = 0.3F;
-  constexpr int rings = 2;
-  constexpr std::size_t adjacent = 6;
+  constexpr int rings = 2;            // as far as one wrong landmark spoils the reversal around it
+  constexpr std::size_t adjacent = 6; // neighbours of a point of an even lattice
   std::vector<bool> unsound(reversal.size());
   for (std::size_t i = 0; i < reversal.size(); ++i) {
     unsound[i] = reversal[i] <= kept;
@@ -210,7 +211,8 @@ private:
   {
     const float wanted = landmarks_.distances(landmark, other);
     const float change = wanted - landmarks_.distances(image, map_[other]);
-    return change * change / (wanted + 1e-3F * landmarks_.diameter);
+    constexpr float finite = 1e-3F; // share of the diameter, far below the distance of two landmarks
+    return change * change / (wanted + finite * landmarks_.diameter);
   }
 
   Index

@@ -26,7 +26,7 @@ distanceChange(const LandmarkSurface& landmarks, const SampleMap& map, std::size
 void
 measureIsometry(const LandmarkSurface& landmarks, const SampleMap& map, std::size_t queries, MapScore& score)
 {
-  constexpr float much = 0.08F;
+  constexpr float much = 0.08F; // share of the diameter: twice what poses change distances by; by hand
   double sum = 0.0;
   std::size_t distorted = 0;
   for (std::size_t i = 0; i < queries; ++i) {
@@ -96,6 +96,7 @@ measureMap(const LandmarkSurface& landmarks,
   measureIsometry(landmarks, map, std::min(queries, map.size()), score);
   double involution = 0.0;
   double displacement = 0.0;
+  constexpr float hardly = 0.06F; // share of the diameter: as far as landmarks are apart; by hand
   std::size_t fixed = 0;
   std::vector<float> ways;
   for (std::size_t i = 0; i < map.size(); ++i) {
@@ -103,7 +104,7 @@ measureMap(const LandmarkSurface& landmarks,
     const float moved = landmarks.distances(row, map[i]) / landmarks.diameter;
     displacement += moved;
     ways.push_back(moved);
-    fixed += moved < 0.06F ? 1U : 0U;
+    fixed += moved < hardly ? 1U : 0U;
     if (static_cast<std::size_t>(map[i]) < map.size()) {
       involution += landmarks.distances(row, inverse[map[i]]) / landmarks.diameter;
     }

@@ -37,13 +37,13 @@ RowSearch::RowSearch(const Eigen::MatrixXf& targets)
 }
 
 std::vector<Index>
-RowSearch::nearest(const Eigen::MatrixXf& queries, unsigned threads) const
+RowSearch::nearest(const Eigen::MatrixXf& queries) const
 {
   const auto count = static_cast<std::size_t>(queries.rows());
   const auto dimensions = static_cast<std::size_t>(dimensions_);
   const KernelTable& table = kernels();
   std::vector<Index> nearest(count);
-  parallelBlocks(count, kernel_queries, threads, [&] {
+  parallelBlocks(count, kernel_queries, [&] {
     return [&, packed = std::vector<float>(dimensions * kernel_queries)](std::size_t begin, std::size_t end) mutable {
       for (std::size_t d = 0; d < dimensions; ++d) {
         const float* column = queries.col(static_cast<Eigen::Index>(d)).data();

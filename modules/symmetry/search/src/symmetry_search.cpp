@@ -48,7 +48,7 @@ tryHypotheses(const SampledSurface& sampled,
   const auto targets = static_cast<Eigen::Index>(std::min(settings.coarse_targets, landmarks.size()));
   const RowSearch search(descriptor.joined(targets));
   std::vector<SymmetryCandidate> candidates(hypotheses.size());
-  parallelFor(hypotheses.size(), sampled.threads, [&](std::size_t i) {
+  parallelFor(hypotheses.size(), [&](std::size_t i) {
     SymmetryCandidate& candidate = candidates[i];
     candidate.source = hypotheses[i].source;
     candidate.matrix = hypotheses[i].action;
@@ -135,8 +135,8 @@ private:
   std::vector<Index>
   reflectedLandmarks(const SampleMap& map) const
   {
-    constexpr float far = 0.15F;
-    constexpr float near = 0.04F;
+    constexpr float far = 0.15F;  // shares of the diameter, chosen by hand: clearly moved,
+    constexpr float near = 0.04F; // and come back to the place or a landmark beside it
     constexpr std::size_t maximum_anchors = 60;
     std::vector<Index> anchors;
     for (std::size_t i = 0; i < map.size() && anchors.size() < maximum_anchors; ++i) {
@@ -191,18 +191,17 @@ searchSymmetries(const SampledSurface& sampled, const SearchSettings& settings)
   candidates = keepDistinct(std::move(candidates), landmarks, settings.distinct, settings.refined);
 
   const CandidateRefinement refinement(sampled, settings);
-  parallelFor(candidates.size(), sampled.threads, [&](std::size_t i) { refinement.refine(candidates[i]); });
+  parallelFor(candidates.size(), [&](std::size_t i) { refinement.refine(candidates[i]); });
   sortByScore(candidates);
   candidates = keepDistinct(std::move(candidates), landmarks, settings.distinct, settings.refined);
 
   const std::size_t rederived = std::min(settings.rederived, candidates.size());
   candidates.resize(candidates.size() + rederived);
-  parallelFor(rederived, sampled.threads, [&](std::size_t i) {
+  parallelFor(rederived, [&](std::size_t i) {
     candidates[candidates.size() - rederived + i] = refinement.rederived(candidates[i]);
   });
   sortByScore(candidates);
-  parallelFor(std::min(settings.regrown, candidates.size()), sampled.threads,
-              [&](std::size_t i) { refinement.regrow(candidates[i]); });
+  parallelFor(std::min(settings.regrown, candidates.size()), [&](std::size_t i) { refinement.regrow(candidates[i]); });
   sortByScore(candidates);
   return keepDistinct(std::move(candidates), landmarks, settings.distinct, settings.refined);
 }

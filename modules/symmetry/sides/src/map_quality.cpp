@@ -87,7 +87,7 @@ measureFaces(const PreparedSurface& surface, const std::vector<Index>& partners,
 
 /** Mean |d (p, q) - d (m (p), m (q))| over pairs of a few landmarks, share of the diameter. */
 float
-isometryError(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter, unsigned threads)
+isometryError(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter)
 {
   std::vector<Index> sources;
   std::vector<Index> images;
@@ -97,8 +97,8 @@ isometryError(const PreparedSurface& surface, const std::vector<Index>& partners
       images.push_back(partners[landmark]);
     }
   }
-  const DistanceFields from = distanceFields(surface.graph, sources, threads);
-  const DistanceFields to = distanceFields(surface.graph, images, threads);
+  const DistanceFields from = distanceFields(surface.graph, sources);
+  const DistanceFields to = distanceFields(surface.graph, images);
   double sum = 0.0;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     for (std::size_t j = 0; j < sources.size(); ++j) {
@@ -112,7 +112,7 @@ isometryError(const PreparedSurface& surface, const std::vector<Index>& partners
 } // namespace
 
 MapSummary
-measureMap(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter, unsigned threads)
+measureMap(const PreparedSurface& surface, const std::vector<Index>& partners, float diameter)
 {
   MapSummary summary;
   for (const Index partner : partners) {
@@ -123,7 +123,7 @@ measureMap(const PreparedSurface& surface, const std::vector<Index>& partners, f
   }
   summary.involution = involutionShare(surface, partners, diameter, summary.matched);
   measureFaces(surface, partners, diameter, summary);
-  summary.isometry_error = isometryError(surface, partners, diameter, threads);
+  summary.isometry_error = isometryError(surface, partners, diameter);
   return summary;
 }
 

@@ -26,20 +26,20 @@ BaseVertices::addPairs(std::vector<SymmetricMatch>& pairs)
     sources.push_back(pair.source);
     targets.push_back(pair.target);
   }
-  const DistanceFields source_fields = metric_.fields(sources, threads_);
-  const std::vector<Index> midpoints = metric_.midpoints(sources, source_fields, targets, threads_);
+  const DistanceFields source_fields = metric_.fields(sources);
+  const std::vector<Index> midpoints = metric_.midpoints(sources, source_fields, targets);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     pairs[i].midpoint = midpoints[i];
   }
   append(source_fields_, source_fields);
-  append(target_fields_, metric_.fields(targets, threads_));
-  append(midpoint_fields_, metric_.fields(midpoints, threads_));
+  append(target_fields_, metric_.fields(targets));
+  append(midpoint_fields_, metric_.fields(midpoints));
 }
 
 void
 BaseVertices::addMidpoint(Index midpoint)
 {
-  append(midpoint_fields_, metric_.fields({midpoint}, threads_));
+  append(midpoint_fields_, metric_.fields({midpoint}));
 }
 
 std::vector<const float*>
@@ -64,7 +64,7 @@ BaseVertices::features(const std::vector<Index>& vertices, Side side, FeatureSet
   FeatureVectors features;
   features.dimensions = fields.size();
   features.values.resize(vertices.size() * fields.size());
-  parallelBlocks(vertices.size(), block, threads_, [&] {
+  parallelBlocks(vertices.size(), block, [&] {
     return [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = 0; f < fields.size(); ++f) {
         for (std::size_t i = begin; i < end; ++i) {

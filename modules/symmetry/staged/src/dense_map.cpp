@@ -15,7 +15,6 @@ matchSide(const BaseVertices& base,
           const std::vector<Index>& queries,
           const std::vector<Index>& candidates,
           Side side,
-          unsigned threads,
           DenseMap& map)
 {
   const FeatureSet set = FeatureSet::OwnEndpointsAndMidpoints;
@@ -25,7 +24,7 @@ matchSide(const BaseVertices& base,
     const std::size_t end = std::min(queries.size(), begin + queries_at_a_time);
     const std::vector<Index> some(queries.begin() + static_cast<std::ptrdiff_t>(begin),
                                   queries.begin() + static_cast<std::ptrdiff_t>(end));
-    const std::vector<FeatureMatch> matches = matcher.match(base.features(some, side, set), threads);
+    const std::vector<FeatureMatch> matches = matcher.match(base.features(some, side, set));
     for (std::size_t i = 0; i < some.size(); ++i) {
       if (matches[i].row >= 0) {
         map.partners[some[i]] = candidates[static_cast<std::size_t>(matches[i].row)];
@@ -38,7 +37,7 @@ matchSide(const BaseVertices& base,
 } // namespace
 
 DenseMap
-denseMap(const BaseVertices& base, const std::vector<float>& sides, unsigned threads)
+denseMap(const BaseVertices& base, const std::vector<float>& sides)
 {
   DenseMap map;
   map.partners.assign(sides.size(), no_index);
@@ -48,8 +47,8 @@ denseMap(const BaseVertices& base, const std::vector<float>& sides, unsigned thr
   for (std::size_t v = 0; v < sides.size(); ++v) {
     (sides[v] > 0.0F ? source : target).push_back(static_cast<Index>(v));
   }
-  matchSide(base, source, target, Side::Source, threads, map);
-  matchSide(base, target, source, Side::Target, threads, map);
+  matchSide(base, source, target, Side::Source, map);
+  matchSide(base, target, source, Side::Target, map);
   return map;
 }
 

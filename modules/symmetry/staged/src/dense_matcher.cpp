@@ -185,14 +185,14 @@ private:
 };
 
 std::vector<FeatureMatch>
-DenseMatcher::match(const FeatureVectors& queries, unsigned threads) const
+DenseMatcher::match(const FeatureVectors& queries) const
 {
   constexpr std::size_t block = 256; // neighbours in number are mostly neighbours on the surface
   std::vector<FeatureMatch> matches(queries.rows());
   if (order_.empty()) {
     return matches;
   }
-  parallelBlocks(queries.rows(), block, threads, [&] {
+  parallelBlocks(queries.rows(), block, [&] {
     return [&, search = Search(*this)](std::size_t begin, std::size_t end) mutable {
       for (std::size_t i = begin; i < end; ++i) {
         matches[i] = search.best(queries.row(i));

@@ -25,11 +25,8 @@ groupingsOf(std::size_t a, std::size_t b, std::size_t c, std::size_t d)
 /** Extreme points as the surface's distances see them. */
 class ExtremeDistances {
 public:
-  ExtremeDistances(const std::vector<Index>& points,
-                   const SurfaceMetric& metric,
-                   const std::vector<Index>& landmarks,
-                   unsigned threads)
-      : points_(points), fields_(metric.fields(points, threads))
+  ExtremeDistances(const std::vector<Index>& points, const SurfaceMetric& metric, const std::vector<Index>& landmarks)
+      : points_(points), fields_(metric.fields(points))
   {
     for (std::size_t i = 0; i < points.size(); ++i) {
       std::vector<float> sorted;
@@ -193,13 +190,12 @@ ExtremePairs
 pairExtremePoints(const std::array<Index, 4>& points,
                   const std::vector<float>& feature,
                   const SurfaceMetric& metric,
-                  const std::vector<Index>& landmarks,
-                  unsigned threads)
+                  const std::vector<Index>& landmarks)
 {
   std::vector<Index> sorted(points.begin(), points.end());
   std::sort(sorted.begin(), sorted.end(),
             [&feature](Index a, Index b) { return feature[a] != feature[b] ? feature[a] < feature[b] : a < b; });
-  const ExtremeDistances extremes(sorted, metric, landmarks, threads);
+  const ExtremeDistances extremes(sorted, metric, landmarks);
 
   const float smallest_step = settings.clear_step * feature[sorted.back()];
   const auto step = [&](std::size_t i) {
@@ -213,10 +209,9 @@ ExtremePairs
 chooseExtremePairs(const std::vector<Index>& points,
                    const std::vector<float>& feature,
                    const SurfaceMetric& metric,
-                   const std::vector<Index>& landmarks,
-                   unsigned threads)
+                   const std::vector<Index>& landmarks)
 {
-  const ExtremeDistances extremes(points, metric, landmarks, threads);
+  const ExtremeDistances extremes(points, metric, landmarks);
   const auto precedes = [&](std::size_t i, std::size_t j) {
     return feature[points[i]] != feature[points[j]] ? feature[points[i]] < feature[points[j]] : points[i] < points[j];
   };

@@ -22,11 +22,11 @@ farthest(const std::vector<float>& field)
 
 /** Mean over the rows, in blocks of columns. */
 std::vector<float>
-meanField(const DistanceFields& fields, unsigned threads)
+meanField(const DistanceFields& fields)
 {
   constexpr std::size_t block = 4096;
   std::vector<float> mean(fields.columns, 0.0F);
-  parallelBlocks(fields.columns, block, threads, [&] {
+  parallelBlocks(fields.columns, block, [&] {
     return [&](std::size_t begin, std::size_t end) {
       for (std::size_t row = 0; row < fields.rows(); ++row) {
         const float* field = fields.row(row);
@@ -83,12 +83,12 @@ mutuallyFarthestVertices(const SurfaceGraph& graph, Index start, std::size_t cou
 }
 
 ExtremityFunctions
-extremityFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, float separation, unsigned threads)
+extremityFunctions(const SurfaceGraph& embedded, Index start, std::size_t samples, float separation)
 {
   ExtremityFunctions functions;
   const FarthestPointSamples sampling = farthestPointSampling(embedded, start, samples);
-  functions.average = smoothOverRings(
-      embedded, meanField(distanceFields(embedded, sampling.vertices, threads), threads), settings.smoothing_rounds);
+  functions.average =
+      smoothOverRings(embedded, meanField(distanceFields(embedded, sampling.vertices)), settings.smoothing_rounds);
   functions.average_maxima =
       separated(embedded, localMaxima(embedded, functions.average), functions.average, separation);
   functions.minimal = distanceField(embedded, functions.average_maxima);

@@ -40,7 +40,7 @@ fixSign(Eigen::Ref<Eigen::VectorXd> axis)
 } // namespace
 
 SpectralEmbedding
-embedByLandmarks(const DistanceFields& fields, const std::vector<Index>& landmarks, int dimensions, unsigned threads)
+embedByLandmarks(const DistanceFields& fields, const std::vector<Index>& landmarks, int dimensions)
 {
   const Eigen::MatrixXd squared = squaredLandmarkDistances(fields, landmarks);
   const Eigen::Index count = squared.rows();
@@ -71,7 +71,7 @@ embedByLandmarks(const DistanceFields& fields, const std::vector<Index>& landmar
 
   embedding.coordinates.resize(fields.columns * static_cast<std::size_t>(embedding.dimensions));
   constexpr std::size_t block = 512;
-  parallelBlocks(fields.columns, block, threads, [&] {
+  parallelBlocks(fields.columns, block, [&] {
     return [&](std::size_t begin, std::size_t end) {
       const auto width = static_cast<Eigen::Index>(end - begin);
       Eigen::MatrixXf distances(count, width);

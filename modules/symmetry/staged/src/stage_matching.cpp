@@ -36,11 +36,11 @@ onSide(const std::vector<Index>& vertices, const std::vector<float>& sides, Side
 } // namespace
 
 std::vector<SymmetricMatch>
-matchVertices(const BaseVertices& base, const Matchable& vertices, Side side, FeatureSet set, unsigned threads)
+matchVertices(const BaseVertices& base, const Matchable& vertices, Side side, FeatureSet set)
 {
   const Side other = side == Side::Source ? Side::Target : Side::Source;
   const DenseMatcher matcher(base.features(vertices.candidates, other, set), base.floors(side, set));
-  const std::vector<FeatureMatch> found = matcher.match(base.features(vertices.queries, side, set), threads);
+  const std::vector<FeatureMatch> found = matcher.match(base.features(vertices.queries, side, set));
   std::vector<SymmetricMatch> matches;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i].row >= 0) {
@@ -88,14 +88,12 @@ std::vector<SymmetricMatch>
 matchExtremities(const BaseVertices& base,
                  const std::vector<Region>& regions,
                  const std::vector<Index>& extremities,
-                 std::size_t kept,
-                 unsigned threads)
+                 std::size_t kept)
 {
   std::vector<SymmetricMatch> matches;
   for (const RegionPair& limbs : limb_pairs) {
     const Matchable vertices{within(extremities, regions, limbs.source), within(extremities, regions, limbs.target)};
-    append(matches,
-           cheapest(matchVertices(base, vertices, Side::Source, FeatureSet::OwnEndpointsAndMidpoints, threads), kept));
+    append(matches, cheapest(matchVertices(base, vertices, Side::Source, FeatureSet::OwnEndpointsAndMidpoints), kept));
   }
   return matches;
 }
@@ -106,21 +104,20 @@ matchSamples(const BaseVertices& base,
              const std::vector<float>& sides,
              const std::vector<Index>& samples,
              FeatureSet set,
-             std::size_t kept,
-             unsigned threads)
+             std::size_t kept)
 {
   std::vector<SymmetricMatch> matches;
   for (const RegionPair& limbs : limb_pairs) {
     const Matchable vertices{within(samples, regions, limbs.source), verticesOf(regions, limbs.target)};
-    append(matches, cheapest(matchVertices(base, vertices, Side::Source, set, threads), kept));
+    append(matches, cheapest(matchVertices(base, vertices, Side::Source, set), kept));
   }
   const std::vector<Index> centre_samples = within(samples, regions, Region::Centre);
   const std::vector<Index> centre = verticesOf(regions, Region::Centre);
   std::vector<SymmetricMatch> centre_matches;
   for (const Side side : {Side::Source, Side::Target}) {
     const Side other = side == Side::Source ? Side::Target : Side::Source;
-    append(centre_matches, matchVertices(base, {onSide(centre_samples, sides, side), onSide(centre, sides, other)},
-                                         side, set, threads));
+    append(centre_matches,
+           matchVertices(base, {onSide(centre_samples, sides, side), onSide(centre, sides, other)}, side, set));
   }
   append(matches, cheapest(std::move(centre_matches), kept));
   return matches;

@@ -54,27 +54,26 @@ findExtremePairs(const SurfaceGraph& embedded,
                  const std::vector<Index>& landmarks,
                  const SymmetryParameters& parameters)
 {
-  const bool first_four = parameters.extremities == ExtremePoints::FirstFour;
+  const bool first_four = parameters.staged.extremities == ExtremePoints::FirstFour;
   const std::vector<Index> points =
       mutuallyFarthestVertices(embedded, start, first_four ? 4 : extremity_settings.candidates);
   if (points.size() < 4) {
     return std::nullopt;
   }
-  const std::vector<float>& feature = pairingFeature(functions, parameters.pairing);
+  const std::vector<float>& feature = pairingFeature(functions, parameters.staged.pairing);
   if (first_four) {
-    return pairExtremePoints({points[0], points[1], points[2], points[3]}, feature, metric, landmarks,
-                             parameters.threads);
+    return pairExtremePoints({points[0], points[1], points[2], points[3]}, feature, metric, landmarks);
   }
-  return chooseExtremePairs(points, feature, metric, landmarks, parameters.threads);
+  return chooseExtremePairs(points, feature, metric, landmarks);
 }
 
 /** m_hf: the midpoint of the path between the midpoints of h1-f1 and h2-f2. */
 Index
-middleOfSides(const ExtremePairs& pairs, const SurfaceMetric& metric, unsigned threads)
+middleOfSides(const ExtremePairs& pairs, const SurfaceMetric& metric)
 {
   const std::vector<Index> h = {pairs.h1, pairs.h2};
-  const std::vector<Index> of_side = metric.midpoints(h, metric.fields(h, threads), {pairs.f1, pairs.f2}, threads);
-  return metric.midpoints({of_side[0]}, metric.fields({of_side[0]}, threads), {of_side[1]}, threads).front();
+  const std::vector<Index> of_side = metric.midpoints(h, metric.fields(h), {pairs.f1, pairs.f2});
+  return metric.midpoints({of_side[0]}, metric.fields({of_side[0]}), {of_side[1]}).front();
 }
 
 /** Evenly spaced samples of the source limbs and the centre. */
@@ -107,25 +106,24 @@ std::vector<SymmetricMatch>
 matchInStages(BaseVertices& base,
               const ExtremityFunctions& extremities,
               const std::vector<Region>& regions,
-              const std::vector<Index>& samples,
-              unsigned threads)
+              const std::vector<Index>& samples)
 {
   for (const std::vector<Index>* stage_extremities :
        {&extremities.average_maxima, &extremities.minimal_maxima}) { // stages 1 and 2
     std::vector<SymmetricMatch> matches =
-        matchExtremities(base, regions, *stage_extremities, settings.kept_extremities, threads);
+        matchExtremities(base, regions, *stage_extremities, settings.kept_extremities);
     base.addPairs(matches);
   }
 
   std::vector<float> sides = sideFunction(base.sourceFields(), base.targetFields());
   std::vector<SymmetricMatch> third =
-      matchSamples(base, regions, sides, samples, FeatureSet::Midpoints, settings.kept_in_stage_3, threads);
+      matchSamples(base, regions, sides, samples, FeatureSet::Midpoints, settings.kept_in_stage_3);
   base.addPairs(third);
 
   sides = sideFunction(base.sourceFields(), base.targetFields());
-  return withoutSameSide(matchSamples(base, regions, sides, samples, FeatureSet::OwnEndpointsAndMidpoints,
-                                      settings.kept_in_stage_4, threads),
-                         sides);
+  return withoutSameSide(
+      matchSamples(base, regions, sides, samples, FeatureSet::OwnEndpointsAndMidpoints, settings.kept_in_stage_4),
+      sides);
 }
 
 MapEstimate
@@ -140,9 +138,9 @@ tooFewPoints(std::size_t points)
 
 /** Dense map: every vertex matched with the base of the last stage. */
 void
-matchEveryVertex(const PreparedSurface& surface, const BaseVertices& base, unsigned threads, MapEstimate& estimate)
+matchEveryVertex(const PreparedSurface& surface, const BaseVertices& base, MapEstimate& estimate)
 {
-  DenseMap map = denseMap(base, estimate.side_function, threads);
+  DenseMap map = denseMap(base, estimate.side_function);
   estimate.confidence *= involutionShare(surface.points, map.partners, estimate.diameter);
   estimate.confidences =
       vertexConfidences(surface.points, map, base.dimensions(), estimate.diameter, estimate.confidence);
@@ -171,26 +169,26 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
   if (surface.size() < settings.minimum_points) {
     return tooFewPoints(surface.size());
   }
-  const unsigned threads = parameters.threads;
   const std::unique_ptr<SurfaceMetric> metric = makeMetric(surface, parameters.metric);
   MapEstimate estimate;
 
   timer.start("sampling", 0.0);
   const Index start = farthestFromCentroid(surface.points);
-  const std::vector<Index> landmarks = metric->farthestPoints(start, static_cast<std::size_t>(parameters.landmarks));
+  const std::vector<Index> landmarks =
+      metric->farthestPoints(start, static_cast<std::size_t>(parameters.staged.landmarks));
 
   timer.start("geodesics", 0.02);
-  DistanceFields fields = metric->fields(landmarks, threads);
+  DistanceFields fields = metric->fields(landmarks);
   estimate.diameter = largestDistance(fields, landmarks);
 
   timer.start("embedding", 0.15); // section 3.1
-  const SpectralEmbedding embedding = embedByLandmarks(fields, landmarks, parameters.embedding_dimensions, threads);
+  const SpectralEmbedding embedding = embedByLandmarks(fields, landmarks, parameters.staged.embedding_dimensions);
   fields = {};
 
   timer.start("hypotheses", 0.2);
   const SurfaceGraph embedded = embeddedGraph(surface.graph, embedding);
-  const ExtremityFunctions functions = extremityFunctions(embedded, start, settings.average_samples,
-                                                          settings.extremity_separation * estimate.diameter, threads);
+  const ExtremityFunctions functions =
+      extremityFunctions(embedded, start, settings.average_samples, settings.extremity_separation * estimate.diameter);
   const std::optional<ExtremePairs> pairs =
       findExtremePairs(embedded, start, functions, *metric, landmarks, parameters);
   if (!pairs) {
@@ -199,21 +197,20 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
   }
   estimate.extremities = {pairs->h1, pairs->h2, pairs->f1, pairs->f2};
   std::vector<SymmetricMatch> limbs = {{pairs->h1, pairs->h2, no_index, 0.0F}, {pairs->f1, pairs->f2, no_index, 0.0F}};
-  BaseVertices base(*metric, threads);
+  BaseVertices base(*metric);
   base.addPairs(limbs);
-  base.addMidpoint(middleOfSides(*pairs, *metric, threads));
+  base.addMidpoint(middleOfSides(*pairs, *metric));
   estimate.regions = limbRegions(base.sourceFields(), base.targetFields(), limbs[0].midpoint, limbs[1].midpoint);
 
   timer.start("matching", 0.35); // section 3.3
-  const std::size_t count =
-      parameters.samples == 0 ? settings.default_samples : static_cast<std::size_t>(parameters.samples);
+  const auto count = static_cast<std::size_t>(parameters.staged.samples);
   const std::vector<Index> samples = sampleSourceAndCentre(*metric, start, count, estimate.regions);
-  estimate.matches = matchInStages(base, functions, estimate.regions, samples, threads);
+  estimate.matches = matchInStages(base, functions, estimate.regions, samples);
   if (estimate.matches.empty()) {
     estimate.message = "no vertices of one side could be matched with the other side";
     return estimate;
   }
-  BaseVertices last_base(*metric, threads); // the last stage's matches and the extreme points
+  BaseVertices last_base(*metric); // the last stage's matches and the extreme points
   last_base.addPairs(estimate.matches);
   estimate.confidence = distortionConfidence(isometricDistortion(last_base, estimate.matches, estimate.diameter)) *
                         pairsConfidence(pairs->cost);
@@ -223,7 +220,7 @@ estimateStaged(const PreparedSurface& surface, const SymmetryParameters& paramet
 
   if (!parameters.sparse_only) {
     timer.start("dense", 0.7);
-    matchEveryVertex(surface, last_base, threads, estimate);
+    matchEveryVertex(surface, last_base, estimate);
   }
   timer.stop();
   judge(estimate);

@@ -150,8 +150,7 @@ resample(UsablePoints& usable,
   constexpr std::size_t maximum_points = 60000;
   PreparedSurface& surface = usable.surface;
   usable.neighbours = search(surface.points, parameters.k_search);
-  ResampledCloud resampled =
-      resampleCloud(surface.points, usable.neighbours, maximum_points, parameters.threads, interpretation);
+  ResampledCloud resampled = resampleCloud(surface.points, usable.neighbours, maximum_points, interpretation);
   if (resampled.points.size() == surface.size() && resampled.smoothing_radius == 0.0F && resampled.normals.empty()) {
     return;
   }
@@ -184,7 +183,7 @@ resample(UsablePoints& usable,
 }
 
 void
-completeNormals(UsablePoints& usable, unsigned threads)
+completeNormals(UsablePoints& usable)
 {
   std::vector<Vector3>& normals = usable.surface.normals;
   std::vector<char> is_given(normals.size());
@@ -192,7 +191,7 @@ completeNormals(UsablePoints& usable, unsigned threads)
   if (std::find(is_given.begin(), is_given.end(), 0) == is_given.end()) {
     return;
   }
-  const std::vector<Vector3> planes = estimateNormals(usable.surface.points, usable.neighbours, threads);
+  const std::vector<Vector3> planes = estimateNormals(usable.surface.points, usable.neighbours);
   for (std::size_t v = 0; v < normals.size(); ++v) {
     normals[v] = is_given[v] != 0 ? normals[v] : planes[v];
   }

@@ -145,7 +145,7 @@ usablePoints(const Surface& surface,
   }
   resample(usable, parameters, search, interpretation);
   if (has_normals) {
-    completeNormals(usable, parameters.threads);
+    completeNormals(usable);
   }
   return usable;
 }

@@ -1,10 +1,12 @@
 #include "symmetry/surface/part_links.h"
 
 #include "base/bounding_box.h"
+#include "base/heartbeat.h"
 #include "base/statistics.h"
 #include "base/union_find.h"
 #include "base/vector_math.h"
 #include "cloud/point_grid.h"
+#include "symmetry/surface/nearest_of_parts.h"
 
 #include <algorithm>
 #include <limits>
@@ -26,46 +28,6 @@ constexpr int links_per_point = 8; // to one point, from another part: the way t
 
 using PartPair = std::pair<Index, Index>;
 
-/** The nearest ways between points of parts that are in different groups, within a distance: for every point and every
- * other part, by pairs of parts. Points of one group are passed over: they are met from the other side. */
-std::map<PartPair, std::vector<GraphEdge>>
-waysBetweenParts(const std::vector<Vector3>& points,
-                 const std::vector<Index>& part_of,
-                 const std::vector<Index>& group_of,
-                 float reach,
-                 Index passed_over = no_index)
-{
-  std::map<PartPair, std::vector<GraphEdge>> ways;
-  const PointGrid grid(points, reach);
-  std::vector<GraphEdge> nearest; // of one point, one per part near by
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    const Index group = group_of[part_of[v]];
-    if (group == passed_over) {
-      continue;
-    }
-    nearest.clear();
-    grid.visitAround(points[v], [&](Index w) {
-      const float apart = distance(points[v], points[w]);
-      if (group_of[part_of[w]] == group || apart > reach) {
-        return;
-      }
-      const auto known = std::find_if(nearest.begin(), nearest.end(),
-                                      [&](const GraphEdge& way) { return part_of[way.b] == part_of[w]; });
-      if (known == nearest.end()) {
-        nearest.push_back({static_cast<Index>(v), w, apart});
-      }
-      else if (apart < known->length) {
-        known->b = w;
-        known->length = apart;
-      }
-    });
-    for (const GraphEdge& way : nearest) {
-      ways[std::minmax(part_of[way.a], part_of[way.b])].push_back(way);
-    }
-  }
-  return ways;
-}
-
 float
 shortestOf(const std::vector<GraphEdge>& ways)
 {
@@ -79,7 +41,11 @@ shortestOf(const std::vector<GraphEdge>& ways)
 class PartLinker {
 public:
   PartLinker(const std::vector<Vector3>& points, const Components& parts, std::vector<float> spacings)
-      : points_(points), parts_(parts), groups_(parts.sizes.size()), spacings_(std::move(spacings))
+      : points_(points),
+        parts_(parts),
+        groups_(parts.sizes.size()),
+        spacings_(std::move(spacings)),
+        nearest_(points, parts.component_of, parts.sizes.size())
   {
     boxes_.resize(parts.sizes.size());
     for (std::size_t v = 0; v < points.size(); ++v) {
@@ -91,7 +57,7 @@ public:
   void
   linkTouching()
   {
-    for (const auto& [pair, ways] : waysBetweenParts(points_, parts_.component_of, groupNumbers(), typicalSpacing())) {
+    for (const auto& [pair, ways] : waysBetweenParts(groupNumbers(), typicalSpacing())) {
       const float spacing = std::min(spacings_[pair.first], spacings_[pair.second]);
       if (shortestOf(ways) <= spacing) {
         link(pair, ways, spacing);
@@ -124,13 +90,34 @@ public:
   }
 
 private:
+  /** The nearest ways between points of parts that are in different groups, within a distance: for every point and
+   * every other part, by pairs of parts. Points of one group are passed over: they are met from the other side. */
+  std::map<PartPair, std::vector<GraphEdge>>
+  waysBetweenParts(const std::vector<Index>& group_of, float reach, Index passed_over = no_index)
+  {
+    nearest_.setOrder(PointGrid(points_, reach).order());
+    std::map<PartPair, std::vector<GraphEdge>> ways;
+    for (std::size_t v = 0; v < points_.size(); ++v) {
+      heartbeat();
+      const Index part = parts_.component_of[v];
+      const Index group = group_of[part];
+      if (group == passed_over) {
+        continue;
+      }
+      for (const NearestOfParts::Found& found : nearest_.search(points_[v], group_of, group, reach)) {
+        ways[std::minmax(part, found.part)].push_back({static_cast<Index>(v), found.point, found.distance});
+      }
+    }
+    return ways;
+  }
+
   /** \param[in] widest called with two groups: the widest gap between them that is bridged */
   template <typename Widest>
   bool
   linkAcrossGaps(float reach, Index passed_over, Widest widest)
   {
     const std::vector<Index> before = groupNumbers();
-    const auto all_ways = waysBetweenParts(points_, parts_.component_of, before, reach, passed_over);
+    const auto all_ways = waysBetweenParts(before, reach, passed_over);
     std::vector<float> shortest(before.size(), std::numeric_limits<float>::infinity()); // per group
     std::vector<std::pair<PartPair, float>> gaps;
     for (const auto& [pair, ways] : all_ways) {
@@ -219,6 +206,7 @@ private:
   UnionFind groups_;
   std::vector<BoundingBox> boxes_; ///< at the lowest part of each group: of the whole group
   std::vector<float> spacings_;    ///< the same: the widest of its parts
+  NearestOfParts nearest_;
   std::vector<GraphEdge> links_;
 };
 

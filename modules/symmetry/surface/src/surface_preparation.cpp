@@ -26,7 +26,7 @@ reconstructCloud(PreparedSurface& surface,
                  const ContactTest& contact)
 {
   CloudSurface cloud = buildCloudSurface(surface.points, neighbours, surface.normals, parameters.radius * surface.scale,
-                                         contact, parameters.threads, is_oriented);
+                                         contact, is_oriented);
   surface.graph = std::move(cloud.graph);
   surface.normals = std::move(cloud.normals);
   surface.triangles = std::move(cloud.triangles);
@@ -171,7 +171,7 @@ prepareAsItStands(const Surface& cloud, const SymmetryParameters& parameters, co
   UsablePoints usable = distinctPoints(cloud, parameters, search);
   PreparedSurface prepared = std::move(usable.surface);
   if (prepared.normals.empty()) {
-    prepared.normals = estimateNormals(prepared.points, usable.neighbours, parameters.threads);
+    prepared.normals = estimateNormals(prepared.points, usable.neighbours);
   }
   prepared.graph = buildNeighbourGraph(prepared.points, usable.neighbours, 0.0F);
   finish(prepared, parameters.components, PartGaps::Any);
