@@ -1,5 +1,6 @@
 #include "apps/hostile_inputs.h"
 #include "apps/hostile_shapes.h"
+#include "support/boxes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,22 +58,7 @@ voxels(int side, const std::function<bool(int, int, int)>& is_full)
     const int k = n / side / side;
     if (!is_full(i, j, k))
       continue;
-    const auto a = static_cast<Index>(surface.points.size());
-    for (int c = 0; c < 8; ++c)
-      surface.points.push_back(at(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2 & 1)));
-    for (const Triangle& t : {Triangle{0, 2, 1},
-                              {1, 2, 3},
-                              {4, 5, 6},
-                              {5, 7, 6},
-                              {0, 1, 4},
-                              {1, 5, 4},
-                              {2, 6, 3},
-                              {3, 6, 7},
-                              {0, 4, 2},
-                              {2, 4, 6},
-                              {1, 3, 5},
-                              {3, 7, 5}})
-      surface.triangles.push_back({a + t[0], a + t[1], a + t[2]});
+    addBox(surface, at(i, j, k), at(i + 1, j + 1, k + 1));
   }
   return welded(surface);
 }

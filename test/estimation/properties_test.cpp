@@ -2,6 +2,7 @@
 #include "base/vector_math.h"
 #include "support/changed_surface.h"
 #include "support/known_body.h"
+#include "support/same_result.h"
 #include "support/shapes.h"
 
 #include <pcl/symmetry/symmetry.h>
@@ -199,15 +200,7 @@ TEST_P(ThreadProperties, AreNoneOfTheResult)
   const SymmetryResult one = estimate(surface, 1);
   for (const unsigned threads : {2U, 3U, 64U}) {
     SCOPED_TRACE(threads);
-    const SymmetryResult many = estimate(surface, threads);
-    EXPECT_EQ(many.status, one.status);
-    EXPECT_EQ(many.message, one.message);
-    EXPECT_EQ(many.confidence, one.confidence);
-    EXPECT_EQ(many.partners, one.partners);
-    EXPECT_EQ(many.confidences, one.confidences);
-    EXPECT_EQ(many.sides, one.sides);
-    EXPECT_EQ(many.regions, one.regions);
-    EXPECT_EQ(many.support, one.support);
+    expectSameBytes(estimate(surface, threads), one);
   }
 }
 
