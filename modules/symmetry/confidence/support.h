@@ -13,7 +13,7 @@ namespace symmetry {
 
 /** \brief When a place counts as unsupported. */
 struct SupportSettings {
-  /** Relative change of nearby distances, localDistanceChange (), from which on a place has no counterpart: the curve of
+  /** Relative change of nearby distances, LocalDistanceChange, from which on a place has no counterpart: the curve of
    * fixed points leaves the middle of the body there, or what is long on one side is short on the other. A joint that
    * bends changes distances across it by up to a third (a straight leg and one bent at a right angle differ by
    * 1 - cos 45 degrees). */
@@ -32,12 +32,27 @@ struct Support {
  * Nearby distances change where an odd part is rooted and where its counterpart should be, not along it: an odd limb is
  * mirrored in itself. So the groups of landmarks where they change come first; then what these cut off from the bulk of
  * the surface and the map sends into itself.
- * \param[in] local_change localDistanceChange () of the map */
+ * \param[in] local_change LocalDistanceChange of the map */
 Support
 findSupport(const SampledSurface& sampled,
             const SampleEstimate& samples,
             const std::vector<float>& local_change,
             const SupportSettings& settings = {});
+
+/** \brief Takes places back whose distances change only to what has no counterpart.
+ *
+ * Around the root of an odd limb, and where its counterpart should be, distances to that limb change, but those to the
+ * rest of the surface do not: these places have counterparts, in each other. They join what is supported from its rim
+ * inwards, each where its change relative to what is supported by then, and that of its partner, is small. An odd
+ * limb is reached at its root alone, from which one side of the body is nearer than the other.
+ * \param[in,out] changes of every landmark; of those that join, relative to what is supported
+ * \return the support with those that joined */
+Support
+takeBackSupported(const SampledSurface& sampled,
+                  const SampleEstimate& samples,
+                  const Support& support,
+                  const SupportSettings& settings,
+                  std::vector<float>& changes);
 
 } // namespace symmetry
 } // namespace pcl

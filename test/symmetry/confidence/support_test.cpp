@@ -52,16 +52,16 @@ around(const CoarseBody& body, Index landmark, float radius)
 TEST(LocalDistanceChange, IsSmallEverywhereUnderTheTrueMap)
 {
   const CoarseBody& body = human();
-  const std::vector<float> change = localDistanceChange(body.sampled(), truePartners(body));
+  const std::vector<float> change = LocalDistanceChange(body.sampled(), truePartners(body)).everywhere();
   ASSERT_EQ(change.size(), body.landmarks.size());
   EXPECT_LT(*std::max_element(change.begin(), change.end()), SupportSettings{}.change);
-  EXPECT_EQ(change, withThreads(4, [&] { return localDistanceChange(body.sampled(), truePartners(body)); }));
+  EXPECT_EQ(change, withThreads(4, [&] { return LocalDistanceChange(body.sampled(), truePartners(body)).everywhere(); }));
 }
 
 TEST(LocalDistanceChange, OfTheIdentityIsNone)
 {
   const CoarseBody& body = human();
-  for (const float change : localDistanceChange(body.sampled(), body.coarse.cells.vertices)) {
+  for (const float change : LocalDistanceChange(body.sampled(), body.coarse.cells.vertices).everywhere()) {
     EXPECT_LT(change, 0.15F); // the points of the samples themselves, but for interpolation
   }
 }
@@ -81,7 +81,7 @@ TEST(LocalDistanceChange, IsLargeWhereALimbIsSentToItsRoot)
   for (std::size_t i = 0; i < limb.size(); ++i) {
     partners[i] = limb[i] != 0 ? root : partners[i];
   }
-  const std::vector<float> change = localDistanceChange(body.sampled(), partners);
+  const std::vector<float> change = LocalDistanceChange(body.sampled(), partners).everywhere();
   EXPECT_GT(change[extremity], SupportSettings{}.change);
 }
 

@@ -100,7 +100,7 @@ gatherEvidence(const SampledSurface& sampled,
   evidence.is_noisy = sampled.surface.summary.smoothing_radius > 0.0F;
   evidence.at_holes = shareAtHoles(sampled.coarse);
   evidence.spacing = spacing;
-  evidence.local_changes = localDistanceChange(sampled, samples.partners);
+  evidence.local_changes = LocalDistanceChange(sampled, samples.partners).everywhere();
   evidence.local_change = median(evidence.local_changes);
   evidence.worst_local_change = quantile(evidence.local_changes, worst_places);
   std::vector<float> turns;

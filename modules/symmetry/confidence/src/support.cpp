@@ -2,6 +2,7 @@
 
 #include "base/statistics.h"
 #include "base/union_find.h"
+#include "symmetry/confidence/local_change.h"
 
 #include <algorithm>
 
@@ -36,6 +37,16 @@ landmarkAreas(const SampledSurface& sampled)
     areas[sampled.landmarks.nearest_landmark[i]] += sampled.coarse.areas[i];
   }
   return areas;
+}
+
+float
+markedArea(const std::vector<char>& marks, const std::vector<float>& areas)
+{
+  float area = 0.0F;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    area += marks[i] != 0 ? areas[i] : 0.0F;
+  }
+  return area;
 }
 
 /** The median of every landmark and those adjacent: one landmark that is off is noise. */
@@ -84,6 +95,19 @@ groupsOf(const std::vector<std::vector<Index>>& adjacent,
   return groups;
 }
 
+/** Takes the mark off connected groups of less than this area. */
+void
+dropSmallGroups(const std::vector<std::vector<Index>>& adjacent,
+                const std::vector<float>& areas,
+                float least_area,
+                std::vector<char>& marks)
+{
+  const Groups groups = groupsOf(adjacent, areas, marks, 1);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    marks[i] = static_cast<char>(groups.of[i] != no_index && groups.areas[groups.of[i]] >= least_area);
+  }
+}
+
 /** Marks the groups, apart from the largest, that the map mostly sends into themselves or to what has a mark. */
 void
 markCutOff(const Groups& rest, const std::vector<float>& areas, const SampleMap& map, std::vector<char>& marks)
@@ -121,20 +145,49 @@ findSupport(const SampledSurface& sampled,
   marks.resize(change.size());
   std::transform(change.begin(), change.end(), marks.begin(),
                  [&](float c) { return static_cast<char>(c > settings.change); });
-  const Groups changed = groupsOf(adjacent, areas, marks, 1);
-  bool is_any = false;
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    marks[i] = static_cast<char>(changed.of[i] != no_index && changed.areas[changed.of[i]] >= settings.least_area);
-    is_any = is_any || marks[i] != 0;
-  }
-  if (!is_any) {
+  dropSmallGroups(adjacent, areas, settings.least_area, marks);
+  if (std::none_of(marks.begin(), marks.end(), [](char mark) { return mark != 0; })) {
     return support;
   }
   markCutOff(groupsOf(adjacent, areas, marks, 0), areas, samples.landmark_map, marks);
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    support.unsupported_share += marks[i] != 0 ? areas[i] : 0.0F;
-  }
+  support.unsupported_share = markedArea(marks, areas);
   return support;
+}
+
+Support
+takeBackSupported(const SampledSurface& sampled,
+                  const SampleEstimate& samples,
+                  const Support& support,
+                  const SupportSettings& settings,
+                  std::vector<float>& changes)
+{
+  Support result = support;
+  std::vector<char>& marks = result.is_unsupported;
+  const std::vector<std::vector<Index>> adjacent = adjacentLandmarks(sampled.landmarks);
+  const LocalDistanceChange change(sampled, samples.partners);
+  std::vector<Index> joining;
+  do {
+    joining.clear();
+    std::vector<float> relative(marks.size(), 0.0F); // of the landmarks without a mark not asked for
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      relative[i] = marks[i] != 0 ? change.relativeTo(static_cast<Index>(i), marks) : 0.0F;
+    }
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      const bool is_at_rim = marks[i] != 0 && std::any_of(adjacent[i].begin(), adjacent[i].end(),
+                                                          [&](Index j) { return marks[j] == 0; });
+      if (is_at_rim && std::max(relative[i], relative[samples.landmark_map[i]]) <= settings.change) {
+        joining.push_back(static_cast<Index>(i));
+        changes[i] = relative[i];
+      }
+    }
+    for (const Index i : joining) {
+      marks[i] = 0;
+    }
+  } while (!joining.empty());
+  const std::vector<float> areas = landmarkAreas(sampled);
+  dropSmallGroups(adjacent, areas, settings.least_area, marks);
+  result.unsupported_share = markedArea(marks, areas);
+  return result;
 }
 
 } // namespace symmetry
