@@ -81,11 +81,12 @@ struct ScoreCalibration {
   float least_reversal = 0.4F;   ///< thin limbs hold hardly a triangle whose orientation can be told
 };
 
-/** \brief Confidence below which a map is no symmetry; chosen by hand. */
+/** \brief Confidence below which a map is no symmetry; chosen by hand but for the last. */
 struct RefusalCalibration {
   float one_interpretation = 0.35F;
   float several_interpretations = 0.25F; ///< whose maps have been compared
   float uncertain = 0.15F;               ///< where noise or gaps between the points make each of them uncertain
+  float partial = 0.5F;                  ///< that a part has no counterpart is said where it is more likely than not
 };
 
 /** \brief How many samples at holes explain part of what speaks against a map. */

@@ -89,10 +89,11 @@ MapJudge::judgeSupport(const Contender& contender,
   const auto odds = [](float p) {
     return p / std::max(1e-6F, 1.0F - p);
   };
+  const float of_rest = estimate.supported_confidence * (1.0F - support.unsupported_share);
   estimate.is_partial = support.unsupported_share > 0.0F && support.unsupported_share < largest_share &&
+                        of_rest >= RefusalCalibration{}.partial &&
                         odds(estimate.supported_confidence) >= strong * odds(confidence);
-  estimate.trust =
-      estimate.is_partial ? estimate.supported_confidence * (1.0F - support.unsupported_share) : confidence;
+  estimate.trust = estimate.is_partial ? of_rest : confidence;
   estimate.measures.push_back({"unsupported_share", estimate.unsupported_share});
   estimate.measures.push_back({"supported_confidence", estimate.supported_confidence});
   estimate.landmark_evidence = pointEvidence(sampled_, contender.samples, changes);

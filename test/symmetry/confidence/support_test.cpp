@@ -55,7 +55,8 @@ TEST(LocalDistanceChange, IsSmallEverywhereUnderTheTrueMap)
   const std::vector<float> change = LocalDistanceChange(body.sampled(), truePartners(body)).everywhere();
   ASSERT_EQ(change.size(), body.landmarks.size());
   EXPECT_LT(*std::max_element(change.begin(), change.end()), SupportSettings{}.change);
-  EXPECT_EQ(change, withThreads(4, [&] { return LocalDistanceChange(body.sampled(), truePartners(body)).everywhere(); }));
+  EXPECT_EQ(change,
+            withThreads(4, [&] { return LocalDistanceChange(body.sampled(), truePartners(body)).everywhere(); }));
 }
 
 TEST(LocalDistanceChange, OfTheIdentityIsNone)
@@ -124,6 +125,44 @@ TEST(FindSupport, TakesInWhatIsCutOffAndMirroredInItself)
   // The same ring around a limb that has a counterpart takes in nothing but itself.
   estimate.landmark_map = body.trueMap();
   EXPECT_EQ(findSupport(body.sampled(), estimate, change).is_unsupported[extremity], 0);
+}
+
+TEST(TakeBackSupported, WhatChangesOnlyRelativeToAnOddPartHasACounterpart)
+{
+  const CoarseBody& body = human();
+  Support support;
+  support.is_unsupported = around(body, body.landmarks.extremities.front(), 0.3F);
+  support.unsupported_share = 0.1F;
+  std::vector<float> changes(body.landmarks.size(), 1.0F);
+  const Support rest = takeBackSupported(body.sampled(), estimateOf(body), support, {}, changes);
+  EXPECT_EQ(rest.unsupported_share, 0.0F) << "the map is right there";
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    EXPECT_EQ(changes[i] <= SupportSettings{}.change, support.is_unsupported[i] != 0)
+        << "measured anew where it joined";
+  }
+}
+
+TEST(TakeBackSupported, ALimbThatIsSentIntoItselfStaysOut)
+{
+  const CoarseBody& body = human();
+  const Index extremity = body.landmarks.extremities.front();
+  const std::vector<char> limb = around(body, extremity, 0.25F);
+  Support support;
+  support.is_unsupported = around(body, extremity, 0.35F); // with its root, which has a counterpart
+  SampleEstimate estimate = estimateOf(body);
+  for (std::size_t i = 0; i < limb.size(); ++i) {
+    if (limb[i] != 0) {
+      estimate.landmark_map[i] = static_cast<Index>(i);
+      estimate.partners[i] = body.coarse.cells.vertices[i];
+    }
+  }
+  std::vector<float> changes(body.landmarks.size(), 1.0F);
+  const Support rest = takeBackSupported(body.sampled(), estimate, support, {}, changes);
+  EXPECT_EQ(rest.is_unsupported[extremity], 1);
+  EXPECT_LT(std::count(rest.is_unsupported.begin(), rest.is_unsupported.end(), 1),
+            std::count(support.is_unsupported.begin(), support.is_unsupported.end(), 1));
+  EXPECT_GE(std::count(rest.is_unsupported.begin(), rest.is_unsupported.end(), 1),
+            std::count(limb.begin(), limb.end(), 1) / 2);
 }
 
 TEST(UnsupportedParts, AreNamedByShareExtentAndExtremePoint)

@@ -76,9 +76,8 @@ LocalDistanceChange::everywhere() const
 float
 LocalDistanceChange::relativeTo(Index landmark, const std::vector<char>& left_out) const
 {
-  std::vector<float> changes =
-      changesAt(to_partners_, diameter_, static_cast<Eigen::Index>(landmark),
-                [&](Eigen::Index j) { return left_out[static_cast<std::size_t>(j)] == 0; });
+  std::vector<float> changes = changesAt(to_partners_, diameter_, static_cast<Eigen::Index>(landmark),
+                                         [&](Eigen::Index j) { return left_out[static_cast<std::size_t>(j)] == 0; });
   return changes.empty() ? std::numeric_limits<float>::infinity() : quantile(std::move(changes), percentile);
 }
 

@@ -173,8 +173,8 @@ takeBackSupported(const SampledSurface& sampled,
       relative[i] = marks[i] != 0 ? change.relativeTo(static_cast<Index>(i), marks) : 0.0F;
     }
     for (std::size_t i = 0; i < marks.size(); ++i) {
-      const bool is_at_rim = marks[i] != 0 && std::any_of(adjacent[i].begin(), adjacent[i].end(),
-                                                          [&](Index j) { return marks[j] == 0; });
+      const bool is_at_rim =
+          marks[i] != 0 && std::any_of(adjacent[i].begin(), adjacent[i].end(), [&](Index j) { return marks[j] == 0; });
       if (is_at_rim && std::max(relative[i], relative[samples.landmark_map[i]]) <= settings.change) {
         joining.push_back(static_cast<Index>(i));
         changes[i] = relative[i];
