@@ -80,10 +80,10 @@ MapJudge::judgeSupport(const Contender& contender,
   Support support = findSupport(sampled_, contender.samples, changes, settings);
   estimate.supported_confidence = confidence;
   if (support.unsupported_share > 0.0F) {
-    estimate.supported_confidence =
-        mapConfidence(gatherSupportedEvidence(sampled_, *contender.candidate, contender.samples, support, evidence));
     // What was disturbed by an odd part does not count as evidence, but has a counterpart.
     support = takeBackSupported(sampled_, contender.samples, support, settings, changes);
+    estimate.supported_confidence =
+        mapConfidence(gatherSupportedEvidence(sampled_, *contender.candidate, contender.samples, support, evidence));
   }
   estimate.unsupported_share = support.unsupported_share;
   const auto odds = [](float p) {

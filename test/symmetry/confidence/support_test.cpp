@@ -132,6 +132,7 @@ TEST(TakeBackSupported, WhatChangesOnlyRelativeToAnOddPartHasACounterpart)
   const CoarseBody& body = human();
   Support support;
   support.is_unsupported = around(body, body.landmarks.extremities.front(), 0.3F);
+  support.is_disturbed = support.is_unsupported;
   support.unsupported_share = 0.1F;
   std::vector<float> changes(body.landmarks.size(), 1.0F);
   const Support rest = takeBackSupported(body.sampled(), estimateOf(body), support, {}, changes);
@@ -149,6 +150,7 @@ TEST(TakeBackSupported, ALimbThatIsSentIntoItselfStaysOut)
   const std::vector<char> limb = around(body, extremity, 0.25F);
   Support support;
   support.is_unsupported = around(body, extremity, 0.35F); // with its root, which has a counterpart
+  support.is_disturbed.resize(limb.size(), 0);             // to see what is marked
   SampleEstimate estimate = estimateOf(body);
   for (std::size_t i = 0; i < limb.size(); ++i) {
     if (limb[i] != 0) {
@@ -163,6 +165,37 @@ TEST(TakeBackSupported, ALimbThatIsSentIntoItselfStaysOut)
             std::count(support.is_unsupported.begin(), support.is_unsupported.end(), 1));
   EXPECT_GE(std::count(rest.is_unsupported.begin(), rest.is_unsupported.end(), 1),
             std::count(limb.begin(), limb.end(), 1) / 2);
+  // A limb stands out, so that what is around its root is disturbed, too; nothing is that is farther away.
+  const std::vector<char> wider = around(body, extremity, 0.35F + SupportSettings{}.rim);
+  for (std::size_t i = 0; i < limb.size(); ++i) {
+    EXPECT_LE(rest.is_unsupported[i], rest.is_disturbed[i]);
+    EXPECT_LE(rest.is_disturbed[i], wider[i]);
+  }
+  EXPECT_GT(std::count(rest.is_disturbed.begin(), rest.is_disturbed.end(), 1),
+            std::count(rest.is_unsupported.begin(), rest.is_unsupported.end(), 1));
+}
+
+TEST(TakeBackSupported, AFlatPartDisturbsNothingAroundIt)
+{
+  const CoarseBody& body = human();
+  // Around a place on the trunk, far from all extremities, everything is sent to where its partner is not.
+  const std::vector<float>& average = body.landmarks.average_distance;
+  const auto middle = static_cast<Index>(std::min_element(average.begin(), average.end()) - average.begin());
+  Support support;
+  support.is_unsupported = around(body, middle, 0.12F);
+  support.is_disturbed = support.is_unsupported;
+  SampleEstimate estimate = estimateOf(body);
+  const Index elsewhere = body.landmarks.extremities.front();
+  for (std::size_t i = 0; i < support.is_unsupported.size(); ++i) {
+    if (support.is_unsupported[i] != 0) {
+      estimate.landmark_map[i] = elsewhere;
+      estimate.partners[i] = body.coarse.cells.vertices[elsewhere];
+    }
+  }
+  std::vector<float> changes(body.landmarks.size(), 1.0F);
+  const Support rest = takeBackSupported(body.sampled(), estimate, support, {}, changes);
+  EXPECT_GT(rest.unsupported_share, 0.0F);
+  EXPECT_EQ(rest.is_disturbed, support.is_unsupported);
 }
 
 TEST(UnsupportedParts, AreNamedByShareExtentAndExtremePoint)

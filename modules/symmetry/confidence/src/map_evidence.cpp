@@ -16,11 +16,11 @@ std::vector<char>
 reachedBySmallestPatches(const LandmarkSurface& landmarks, const Support& support)
 {
   const float radius = RefinementSettings{}.patches.back().radius * landmarks.diameter;
-  std::vector<char> is_reached = support.is_unsupported;
+  std::vector<char> is_reached = support.is_disturbed;
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     for (std::size_t j = 0; j < landmarks.size() && is_reached[i] == 0; ++j) {
       is_reached[i] =
-          static_cast<char>(support.is_unsupported[j] != 0 &&
+          static_cast<char>(support.is_disturbed[j] != 0 &&
                             landmarks.distances(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) < radius);
     }
   }
@@ -34,7 +34,7 @@ supportedLandmarks(const LandmarkSurface& landmarks, const Support& support)
   LandmarkSurface supported = landmarks;
   Eigen::VectorXf counts(static_cast<Eigen::Index>(landmarks.size()));
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    const bool is_supported = support.is_unsupported[i] == 0;
+    const bool is_supported = support.is_disturbed[i] == 0;
     supported.at_hole[i] = static_cast<char>(landmarks.at_hole[i] != 0 || !is_supported);
     counts[static_cast<Eigen::Index>(i)] = is_supported ? 1.0F : 0.0F;
   }
@@ -51,7 +51,7 @@ measureSupported(const LandmarkSurface& landmarks, const SampleMap& map, const S
   constexpr float much = 0.08F;         // as MapScore::distorted
   std::vector<Index> supported;
   for (std::size_t i = 0; i < map.size(); ++i) {
-    if (support.is_unsupported[i] == 0) {
+    if (support.is_disturbed[i] == 0) {
       supported.push_back(static_cast<Index>(i));
     }
   }

@@ -5,6 +5,8 @@
 #include "symmetry/confidence/local_change.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace symmetry {
@@ -108,6 +110,63 @@ dropSmallGroups(const std::vector<std::vector<Index>>& adjacent,
   }
 }
 
+/** Mean distance of a landmark from the nearest other one. */
+float
+spacingOf(const LandmarkSurface& landmarks)
+{
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < landmarks.distances.cols(); ++i) {
+    float nearest = landmarks.diameter;
+    for (Eigen::Index j = 0; j < landmarks.distances.rows(); ++j) {
+      nearest = i == j ? nearest : std::min(nearest, landmarks.distances(j, i));
+    }
+    sum += static_cast<double>(nearest);
+  }
+  return static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(1, landmarks.size())));
+}
+
+/** Distance from every landmark to the nearest one that holds the condition; infinite where none does. */
+template <typename Condition>
+std::vector<float>
+distancesToNearest(const LandmarkSurface& landmarks, Condition condition)
+{
+  std::vector<float> nearest(landmarks.size(), std::numeric_limits<float>::infinity());
+  for (std::size_t j = 0; j < nearest.size(); ++j) {
+    for (std::size_t i = 0; condition(j) && i < nearest.size(); ++i) {
+      nearest[i] =
+          std::min(nearest[i], landmarks.distances(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    }
+  }
+  return nearest;
+}
+
+/** Marks what lies around groups that stand out. */
+void
+disturbRims(const LandmarkSurface& landmarks,
+            const Groups& groups,
+            const SupportSettings& settings,
+            std::vector<char>& is_disturbed)
+{
+  const float spacing = spacingOf(landmarks);
+  const std::vector<float> depths =
+      distancesToNearest(landmarks, [&](std::size_t i) { return groups.of[i] == no_index; });
+  std::vector<float> extents(landmarks.size(), 0.0F);
+  std::vector<float> counts(landmarks.size(), 0.0F);
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    if (groups.of[i] != no_index) {
+      extents[groups.of[i]] = std::max(extents[groups.of[i]], depths[i]);
+      counts[groups.of[i]] += 1.0F;
+    }
+  }
+  const std::vector<float> to_outstanding = distancesToNearest(landmarks, [&](std::size_t i) {
+    const Index group = groups.of[i];
+    return group != no_index && extents[group] > settings.outstanding * spacing * std::sqrt(counts[group]);
+  });
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    is_disturbed[i] = static_cast<char>(is_disturbed[i] != 0 || to_outstanding[i] < settings.rim * landmarks.diameter);
+  }
+}
+
 /** Marks the groups, apart from the largest, that the map mostly sends into themselves or to what has a mark. */
 void
 markCutOff(const Groups& rest, const std::vector<float>& areas, const SampleMap& map, std::vector<char>& marks)
@@ -146,11 +205,13 @@ findSupport(const SampledSurface& sampled,
   std::transform(change.begin(), change.end(), marks.begin(),
                  [&](float c) { return static_cast<char>(c > settings.change); });
   dropSmallGroups(adjacent, areas, settings.least_area, marks);
+  support.is_disturbed = std::vector<char>(marks.size(), 0);
   if (std::none_of(marks.begin(), marks.end(), [](char mark) { return mark != 0; })) {
     return support;
   }
   markCutOff(groupsOf(adjacent, areas, marks, 0), areas, samples.landmark_map, marks);
   support.unsupported_share = markedArea(marks, areas);
+  support.is_disturbed = marks;
   return support;
 }
 
@@ -187,6 +248,7 @@ takeBackSupported(const SampledSurface& sampled,
   const std::vector<float> areas = landmarkAreas(sampled);
   dropSmallGroups(adjacent, areas, settings.least_area, marks);
   result.unsupported_share = markedArea(marks, areas);
+  disturbRims(sampled.landmarks, groupsOf(adjacent, areas, marks, 1), settings, result.is_disturbed);
   return result;
 }
 
