@@ -60,7 +60,7 @@ gatherEvidence(const SampledSurface& sampled,
                const PointSpacing& spacing);
 
 /** \brief Measures a refined map on the supported part of the surface alone: what has no counterpart neither counts
- * itself nor do distances to it, nor patches that take in some of it.
+ * itself nor do distances to it, nor what it disturbs.
  * \param[in] whole gatherEvidence () of the map
  * \param[in] support with some part that is unsupported */
 MapEvidence

@@ -11,22 +11,6 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-/** The landmarks whose smallest patch takes in some of what has no counterpart. */
-std::vector<char>
-reachedBySmallestPatches(const LandmarkSurface& landmarks, const Support& support)
-{
-  const float radius = RefinementSettings{}.patches.back().radius * landmarks.diameter;
-  std::vector<char> is_reached = support.is_disturbed;
-  for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    for (std::size_t j = 0; j < landmarks.size() && is_reached[i] == 0; ++j) {
-      is_reached[i] =
-          static_cast<char>(support.is_disturbed[j] != 0 &&
-                            landmarks.distances(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) < radius);
-    }
-  }
-  return is_reached;
-}
-
 /** The landmarks as if holes were where there is no support, and average distances those to the rest alone. */
 LandmarkSurface
 supportedLandmarks(const LandmarkSurface& landmarks, const Support& support)
@@ -141,10 +125,9 @@ gatherSupportedEvidence(const SampledSurface& sampled,
   evidence.rough_curvature =
       scoreMap(supported, sampled.descriptor, candidate.map, candidate.map.size(), ScoreWeights{}).curvature;
   measureSupported(sampled.landmarks, samples.landmark_map, support, evidence.score);
-  const std::vector<char> is_reached = reachedBySmallestPatches(sampled.landmarks, support);
   std::vector<PatchFit> fits;
   for (std::size_t k = 0; k < samples.fits.size(); ++k) {
-    if (is_reached[k] == 0) {
+    if (support.is_disturbed[k] == 0) {
       fits.push_back(samples.fits[k]);
     }
   }
