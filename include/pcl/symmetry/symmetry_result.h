@@ -19,7 +19,8 @@ namespace symmetry {
 /** \brief Outcome of an estimation; a caller's mistake is an exception instead. */
 enum class SymmetryStatus {
   Symmetric, ///< a reflective symmetry was found
-  /** A reflection explains more than half of the surface; parts without a counterpart are named and have no partner. */
+  /** A reflection explains more than half of the surface; parts without a counterpart are named and have no partner. So is
+   * what lies apart from the part that was mapped, where that is more than a tenth of the points. */
   PartlySymmetric,
   NoSymmetry,   ///< the surface has none, or none that can be trusted
   TooFewPoints, ///< less than the method needs, after what is unusable was left out
