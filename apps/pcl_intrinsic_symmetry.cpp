@@ -246,8 +246,7 @@ estimate(const Options& options, const Surface& surface)
 std::string
 adviceOnNames(const Options& options, const SideNaming& naming)
 {
-  constexpr float doubtful = 0.1F; // see SideNaming::margin
-  if (!naming.by_reference || naming.margin >= doubtful)
+  if (!naming.by_reference || naming.margin >= pcl::symmetry::SideNaming::doubtful)
     return "";
   std::ostringstream text;
   text << std::fixed << std::setprecision(2) << program << ": warning: " << options.reference

@@ -39,7 +39,7 @@ struct NamePairs {
   std::size_t pairs = 0;
   std::size_t by_shape = 0;     ///< of them with the same names as the shapes alone give them
   std::size_t by_reference = 0; ///< and with one taken as the reference of the other
-  std::size_t doubtful = 0;     ///< with a margin below 0.1
+  std::size_t doubtful = 0;     ///< with a margin below SideNaming::doubtful
 };
 
 /** \brief Estimates models and compares each with each of the same set, whatever its class.

@@ -112,17 +112,10 @@ struct KernelTable {
    * sums, these by halves.
    *
    * \param[in] points the x, then the y, then the z of all, padded of each
-   *
-   * \param[in] padded a
-   * multiple of kernel_lanes
-   *
+   * \param[in] padded a multiple of kernel_lanes
    * \param[in] centre three coordinates
-   *
-   * \param[in] normal of the slab, over half its thickness
-   * in radii; 0: no slab
-   *
-   * \param[out] moments sums of the weights, of x, y, z, and of xx, xy, xz, yy, yz, zz, each times
-   * the weight */
+   * \param[in] normal of the slab, over half its thickness in radii; 0: no slab
+   * \param[out] moments sums of the weights, of x, y, z, and of xx, xy, xz, yy, yz, zz, each times the weight */
   void (*slab_moments)(
       const float* points, std::size_t padded, const float* centre, float radius, const float* normal, float* moments);
 };

@@ -116,9 +116,10 @@ struct MirrorPlane {
 struct SideNaming {
   bool by_reference = false; ///< as those of a reference, see NameReference; else by the shape alone
   bool exchanged = false;    ///< the names by the shape alone were the other way round
-  /** How much better the names fit than if they were exchanged, in [0, 1]; 0: nothing can be told. Below 0.1 they may
-   * well be wrong. */
+  /** How much better the names fit than if they were exchanged, in [0, 1]; 0: nothing can be told. Below \a doubtful
+   * they may well be wrong. */
   float margin = 0.0F;
+  static constexpr float doubtful = 0.1F; ///< by hand, on people and four-legged animals; see BENCHMARK.md
   float misfit = 0.0F; ///< how unlike the reference is: about 0.3 in another pose, about 1 as another kind of animal
 };
 

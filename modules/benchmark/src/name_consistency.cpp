@@ -160,12 +160,11 @@ compareAllNames(const std::vector<BenchmarkModel>& models,
     const NamedModel& b = named[pairs[k].second];
     NamePairs& row =
         rowOf(rows, std::min(kindOf(a.model), kindOf(b.model)), std::max(kindOf(a.model), kindOf(b.model)));
-    constexpr double doubtful = 0.1; // see SideNaming::margin
     const bool is_same = a.is_as_true == b.is_as_true;
     row.pairs += 1;
     row.by_shape += is_same ? 1 : 0;
     row.by_reference += (margins[k] >= 0.0) == is_same ? 1 : 0;
-    row.doubtful += std::abs(margins[k]) < doubtful ? 1 : 0;
+    row.doubtful += std::abs(margins[k]) < static_cast<double>(SideNaming::doubtful) ? 1 : 0;
   }
   return rows;
 }
