@@ -16,7 +16,10 @@ namespace {
 class NearestPoints {
 public:
   NearestPoints(const PreparedSurface& surface, float reach)
-      : surface_(surface), reach_(reach), grid_(surface.points, reach)
+      : surface_(surface),
+        reach_(reach),
+        cell_(uncrowdedCell(surface.points, reach, most_around)),
+        grid_(surface.points, cell_)
   {
   }
 
@@ -28,23 +31,32 @@ public:
     const float across = 0.5F * reach_;
     Index best = no_index;
     float least = 2.0F * reach_;
-    grid_.visitAround(place, [&](Index v) {
+    const auto look = [&](Index v) {
       const float apart = distance(surface_.points[v], place);
-      if (apart > reach_ || (part != no_index && surface_.part_of[v] != part)) {
-        return;
+      if (apart <= reach_ && (part == no_index || surface_.part_of[v] == part)) {
+        const float cost = apart + across * (1.0F - std::abs(dot(surface_.normals[v], direction)));
+        if (cost < least) {
+          least = cost;
+          best = v;
+        }
       }
-      const float cost = apart + across * (1.0F - std::abs(dot(surface_.normals[v], direction)));
-      if (cost < least) {
-        least = cost;
-        best = v;
-      }
-    });
+      return std::min(least, reach_); // no point costs less than it is apart
+    };
+    if (cell_ >= reach_) {
+      grid_.visitAround(place, look);
+    }
+    else {
+      grid_.visitNearest(place, reach_, look);
+    }
     return best;
   }
 
 private:
+  static constexpr std::size_t most_around = 1000; // a surface has some tens
+
   const PreparedSurface& surface_;
   float reach_;
+  float cell_; ///< the reach, or less where points are crowded
   PointGrid grid_;
 };
 
