@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
 #include <utility>
 
 using namespace pcl::symmetry;
@@ -108,6 +109,28 @@ TEST_P(NearestOfPartsTest, FindsWhatLookingAtAllFinds)
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, NearestOfPartsTest, testing::Values(2, 6, 33, 64, 65, 300));
+
+TEST(NearestOfParts, PassesOverNoBoxInWhichAnotherGroupIsToo)
+{
+  // Along a line, a part after the other, and the middle ones in a group with the first.
+  std::vector<Vector3> points;
+  std::vector<Index> part_of;
+  for (Index i = 0; i < 400; ++i) {
+    points.push_back({static_cast<float>(i), 0.0F, 0.0F});
+    part_of.push_back(i / 40);
+  }
+  const std::vector<Index> group_of = {0, 0, 0, 0, 1, 1, 0, 0, 0, 1};
+  NearestOfParts nearest(points, part_of, group_of.size());
+  nearest.setGroups(group_of, std::vector<float>(group_of.size(), 1e6F));
+  for (std::size_t v = 0; v < points.size(); v += 7) {
+    std::set<Index> found;
+    for (const NearestOfParts::Found& part : nearest.search(points[v], group_of[part_of[v]], 1e6F)) {
+      found.insert(part.part);
+    }
+    const bool is_first = group_of[part_of[v]] == 0;
+    EXPECT_EQ(found, is_first ? (std::set<Index>{4, 5, 9}) : (std::set<Index>{0, 1, 2, 3, 6, 7, 8})) << "point " << v;
+  }
+}
 
 TEST(NearestOfParts, DoesNotLookAtAllPointsThatAreEquallyFar)
 {
