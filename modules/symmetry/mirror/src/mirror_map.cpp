@@ -1,11 +1,13 @@
 #include "symmetry/mirror/mirror_map.h"
 
 #include "base/parallel.h"
+#include "cloud/ball_tree.h"
 #include "cloud/point_grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace pcl {
@@ -16,11 +18,11 @@ namespace {
 class NearestPoints {
 public:
   NearestPoints(const PreparedSurface& surface, float reach)
-      : surface_(surface),
-        reach_(reach),
-        cell_(uncrowdedCell(surface.points, reach, most_around)),
-        grid_(surface.points, cell_)
+      : surface_(surface), reach_(reach), grid_(surface.points, reach)
   {
+    if (uncrowdedCell(surface.points, reach, most_around) < reach) {
+      crowd_.emplace(surface.points, std::vector<float>(surface.size(), 0.0F));
+    }
   }
 
   /** \param[in] part that the point must be of, no_index: any */
@@ -31,7 +33,7 @@ public:
     const float across = 0.5F * reach_;
     Index best = no_index;
     float least = 2.0F * reach_;
-    const auto look = [&](Index v) {
+    const auto look_at = [&](Index v) {
       const float apart = distance(surface_.points[v], place);
       if (apart <= reach_ && (part == no_index || surface_.part_of[v] == part)) {
         const float cost = apart + across * (1.0F - std::abs(dot(surface_.normals[v], direction)));
@@ -40,13 +42,14 @@ public:
           best = v;
         }
       }
-      return std::min(least, reach_); // no point costs less than it is apart
     };
-    if (cell_ >= reach_) {
-      grid_.visitAround(place, look);
+    if (crowd_) {
+      // No point costs less than it is apart.
+      crowd_->visitNearest(
+          place, [&](float) { return std::min(least, reach_); }, look_at);
     }
     else {
-      grid_.visitNearest(place, reach_, look);
+      grid_.visitAround(place, look_at);
     }
     return best;
   }
@@ -56,8 +59,8 @@ private:
 
   const PreparedSurface& surface_;
   float reach_;
-  float cell_; ///< the reach, or less where points are crowded
   PointGrid grid_;
+  std::optional<BallTree> crowd_; ///< where cubes hold so many points that looking at all of them would not end
 };
 
 /** The part that each part is mapped onto; no_index where its images lie on several or on none. */
