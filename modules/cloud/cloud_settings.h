@@ -46,19 +46,22 @@ struct SmoothingSettings {
   float first_radius = 2.2F;    ///< spacings; with fewer points around, any plane fits
   float maximum_radius = 0.06F; ///< share of the longest side: about that of a limb
   float radius_step = 1.25F;    ///< factor from radius to radius
-  /** Thickness over radius at the spacing up to which there is no noise: 0.09 at the median neighbourhood, and at the lower
-   * quartile 0.88 times that, the ratio of the two where a plane has noise of 0.15 to 0.25 spacings alone. */
+  /** Thickness over the first radius, without curvature, up to which there is no noise: 0.09 at the median neighbourhood,
+   * and at the lower quartile 0.88 times that, the ratio of the two where a plane has noise of 0.15 to 0.25 spacings alone. */
   float flat = 0.079F;
   /** Quantile of the neighbourhoods that is compared: noise is everywhere, contacts are over half of a curled up body. By
    * hand, and not moved after the first trial. */
   double flat_share = 0.25;
-  float certain_radius = 1.25F;       ///< flattest radii: with more points planes gain in certainty more than they lose
-  float minimum_spacings = 6.0F;      ///< of a radius; with fewer points around, planes are uncertain
-  float spacings_per_radius = 6.0F;   ///< of points that show all that is left to see
-  float width_of_thickness = 3.0F;    ///< half a sheet over its standard deviation: three sigma
-  float normal_tolerance = 0.0375F;   ///< radians: standard deviation of a normal that is certain
-  std::size_t minimum_points = 80;    ///< of a neighbourhood of the least radius
-  std::size_t plane_points = 500;     ///< more make no better plane
+  float certain_radius = 1.25F;     ///< flattest radii: with more points planes gain in certainty more than they lose
+  float minimum_spacings = 6.0F;    ///< of a radius; with fewer points around, planes are uncertain
+  float spacings_per_radius = 6.0F; ///< of points that show all that is left to see
+  float width_of_thickness = 3.0F;  ///< half a sheet over its standard deviation: three sigma
+  float normal_tolerance = 0.0375F; ///< radians: standard deviation of a normal that is certain
+  std::size_t minimum_points = 80;  ///< of a neighbourhood of the least radius
+  std::size_t plane_points = 500;   ///< more make no better plane
+  /** Neighbourhoods by which it is told whether there is noise: all of a small cloud, whose verdict must not hang on the
+   * order of the points. */
+  std::size_t noise_probes = 6000;
   std::size_t thickness_probes = 600; ///< neighbourhoods that the thickness is the median of
   std::size_t number_probes = 300;    ///< neighbourhoods whose points are counted
   int rounds = 4;                     ///< each takes a place nearer to the middle of its sheet by more than a half

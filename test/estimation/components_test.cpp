@@ -80,4 +80,40 @@ TEST_P(ComponentsTest, TheLargestAloneIsTakenWhereItIsAskedFor)
   EXPECT_EQ(result.message.find("lie apart"), std::string::npos) << "what was not asked for is no loss";
 }
 
+/** An ellipsoid of of_body points, and others of of_knob points far from it and each other. */
+SymmetryResult
+estimateFarApart(int others)
+{
+  Surface all = scaled(sphereMesh(4), {1.0F, 0.8F, 0.6F});
+  for (int i = 0; i < others; ++i) {
+    Surface other = scaled(sphereMesh(3), {0.5F, 0.4F, 0.3F});
+    const auto first = static_cast<Index>(all.points.size());
+    for (const Vector3& p : other.points) {
+      all.points.push_back(
+          {p[0] + 20.0F + 20.0F * static_cast<float>(i), p[1], p[2] + 7.0F * static_cast<float>(i * i)});
+    }
+    for (const Triangle& t : other.triangles) {
+      all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+  }
+  return estimateIntrinsicSymmetry(all);
+}
+
+TEST(PartsFarApart, MakeTheSymmetryThatOfAPart)
+{
+  const SymmetryResult result = estimateFarApart(1);
+  ASSERT_EQ(result.input.used, of_body) << result.message;
+  EXPECT_EQ(result.status, SymmetryStatus::PartlySymmetric);
+  EXPECT_LE(result.confidence, 1026.0F / 1284.0F);
+  EXPECT_NE(result.message.find("20 % of the points lie apart"), std::string::npos) << result.message;
+}
+
+TEST(PartsFarApart, LeaveNoSymmetryWhereTheyAreMost)
+{
+  const SymmetryResult result = estimateFarApart(5);
+  ASSERT_EQ(result.input.used, of_body) << result.message;
+  EXPECT_EQ(result.status, SymmetryStatus::NoSymmetry);
+  EXPECT_NE(result.message.find("largest component"), std::string::npos) << result.message;
+}
+
 } // namespace

@@ -73,6 +73,7 @@ const std::vector<Subject> subjects = {
     {"Quadruped", [] { return bent(Body::Quadruped); }, true},
     {"Bird", [] { return bent(Body::Bird); }, true},
     {"Spider", [] { return bent(Body::Spider); }, true},
+    {"MissingArm", [] { return bent(Body::MissingArm); }, false},
     {"CloudOfAHuman", [] { return pointsOf(bent(Body::Human)); }, true},
     {"CloudOfAQuadruped", [] { return pointsOf(bent(Body::Quadruped)); }, true},
     {"CloudOfABird", [] { return pointsOf(bent(Body::Bird)); }, true},

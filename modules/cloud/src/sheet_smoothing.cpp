@@ -150,16 +150,35 @@ everyFew(const std::vector<Vector3>& points, std::size_t count)
 
 /** Thickness of neighbourhoods over their radius; a ball has 0.33. */
 std::vector<float>
-relativeThickness(const std::vector<Vector3>& points, float radius)
+relativeThickness(const std::vector<Vector3>& points, float radius, std::size_t probes)
 {
   const PointGrid grid(points, radius);
   std::vector<float> thickness;
   std::vector<Vector3> around;
-  for (const Vector3& place : everyFew(points, settings.thickness_probes)) {
+  for (const Vector3& place : everyFew(points, probes)) {
     gatherAround(points, grid, place, radius, around);
     thickness.push_back(fitPlane(CoordinateRows(around), place, radius).thickness / radius);
   }
   return thickness;
+}
+
+/** The part of the relative thickness of neighbourhoods that is not curvature.
+ *
+ * Off the plane of a neighbourhood of radius r noise of standard deviation s is by s, a surface of curvature c by a share
+ * of c r^2. Their squares add up, so that two radii tell them apart: over the radius noise falls as r grows, curvature
+ * rises. */
+float
+noiseThickness(const std::vector<Vector3>& points, float radius)
+{
+  const float first = quantile(relativeThickness(points, radius, settings.noise_probes), settings.flat_share);
+  const float step = settings.radius_step * settings.radius_step;
+  if (first < settings.flat) { // with curvature, and without it less
+    return first;
+  }
+  const float second =
+      quantile(relativeThickness(points, settings.radius_step * radius, settings.noise_probes), settings.flat_share);
+  const float squared = (first * first - second * second / step) / (1.0F - 1.0F / (step * step));
+  return std::sqrt(std::max(0.0F, squared));
 }
 
 /** Number of points within a radius that nine of ten neighbourhoods have. */
@@ -236,14 +255,14 @@ Smoothing
 findSmoothing(const std::vector<Vector3>& points, float spacing)
 {
   Smoothing best;
+  const float first_radius = settings.first_radius * spacing;
+  if (!(first_radius > 0.0F && first_radius < settings.maximum_radius) ||
+      noiseThickness(points, first_radius) < settings.flat) {
+    return best;
+  }
   float flattest = std::numeric_limits<float>::infinity();
-  for (float radius = settings.first_radius * spacing; radius > 0.0F && radius < settings.maximum_radius;
-       radius *= settings.radius_step) {
-    std::vector<float> all = relativeThickness(points, radius);
-    if (best.radius == 0.0F && quantile(all, settings.flat_share) < settings.flat) {
-      return {};
-    }
-    const float thickness = median(std::move(all));
+  for (float radius = first_radius; radius < settings.maximum_radius; radius *= settings.radius_step) {
+    const float thickness = median(relativeThickness(points, radius, settings.thickness_probes));
     if (thickness < flattest) {
       flattest = thickness;
       const float smoothing_radius = std::max(settings.certain_radius * radius, settings.minimum_spacings * spacing);

@@ -43,10 +43,10 @@ struct MapEvidence {
   bool is_noisy = false;       ///< the surface is that of a cloud which had to be smoothed: part of the misfit is noise
   float at_holes = 0.0F;       ///< share of the samples into whose cells holes reach
   PointSpacing spacing;        ///< of a cloud; the faces of a mesh tell what is between its points
-  float local_change = 0.0F;   ///< localDistanceChange () at the median landmark
+  float local_change = 0.0F;   ///< LocalDistanceChange at the median landmark
   float worst_local_change = 0.0F;  ///< at 97 % of the landmarks
   float turn = 0.0F;                ///< PatchFit::turn of the median patch
-  std::vector<float> local_changes; ///< localDistanceChange () of every landmark
+  std::vector<float> local_changes; ///< LocalDistanceChange of every landmark
   float worst_turn = 0.0F;          ///< of 97 % of the patches
 };
 
@@ -60,7 +60,7 @@ gatherEvidence(const SampledSurface& sampled,
                const PointSpacing& spacing);
 
 /** \brief Measures a refined map on the supported part of the surface alone: what has no counterpart neither counts
- * itself nor do distances to it.
+ * itself nor do distances to it, nor what it disturbs.
  * \param[in] whole gatherEvidence () of the map
  * \param[in] support with some part that is unsupported */
 MapEvidence

@@ -14,7 +14,7 @@ namespace symmetry {
 
 /** \brief What speaks for and against the partners around a landmark. */
 struct PointEvidence {
-  float local_change = 0.0F; ///< localDistanceChange ()
+  float local_change = 0.0F; ///< LocalDistanceChange
   float fit_distance = 0.0F; ///< PatchFit::distance of the smallest patch there
   float reversal = 1.0F;     ///< reversalAtLandmarks ()
 };

@@ -13,17 +13,23 @@ namespace symmetry {
 
 /** \brief When a place counts as unsupported. */
 struct SupportSettings {
-  /** Relative change of nearby distances, localDistanceChange (), from which on a place has no counterpart: the curve of
+  /** Relative change of nearby distances, LocalDistanceChange, from which on a place has no counterpart: the curve of
    * fixed points leaves the middle of the body there, or what is long on one side is short on the other. A joint that
    * bends changes distances across it by up to a third (a straight leg and one bent at a right angle differ by
    * 1 - cos 45 degrees). */
   float change = 0.4F;
   float least_area = 0.005F; ///< of a connected group of such places, share of the surface: less is noise of samples
+  /** Extent of a part over the side of a square of its area from which on it stands out like a limb: 0.56 of a flat
+   * disc, 0.63 of a hemisphere, less of a band along which a map is torn; 1 of a tube of three diameters. */
+  float outstanding = 1.0F;
+  float rim =
+      0.06F; ///< share of the diameter: what lies as near to a part that stands out as the smallest patches reach
 };
 
 /** \brief The parts without a counterpart: one entry per landmark. */
 struct Support {
   std::vector<char> is_unsupported; ///< of the landmark
+  std::vector<char> is_disturbed;   ///< also: not unsupported, but too near to what is for its measures to count
   float unsupported_share = 0.0F;   ///< of the area
 };
 
@@ -32,12 +38,30 @@ struct Support {
  * Nearby distances change where an odd part is rooted and where its counterpart should be, not along it: an odd limb is
  * mirrored in itself. So the groups of landmarks where they change come first; then what these cut off from the bulk of
  * the surface and the map sends into itself.
- * \param[in] local_change localDistanceChange () of the map */
+ * \param[in] local_change LocalDistanceChange of the map */
 Support
 findSupport(const SampledSurface& sampled,
             const SampleEstimate& samples,
             const std::vector<float>& local_change,
             const SupportSettings& settings = {});
+
+/** \brief Takes places back whose distances change only to what has no counterpart.
+ *
+ * Around the root of an odd limb, and where its counterpart should be, distances to that limb change, but those to the
+ * rest of the surface do not: these places have counterparts, in each other. They join what is supported from its rim
+ * inwards, each where its change relative to what is supported by then, and that of its partner, is small. An odd
+ * limb is reached at its root alone, from which one side of the body is nearer than the other.
+ *
+ * What joined stays disturbed, and so is the rim around a part that stands out: the surface around the root of a limb is
+ * another than where its counterpart should be.
+ * \param[in,out] changes of every landmark; of those that join, relative to what is supported
+ * \return the support with those that joined */
+Support
+takeBackSupported(const SampledSurface& sampled,
+                  const SampleEstimate& samples,
+                  const Support& support,
+                  const SupportSettings& settings,
+                  std::vector<float>& changes);
 
 } // namespace symmetry
 } // namespace pcl

@@ -73,28 +73,33 @@ MapJudge::judgeSupport(const Contender& contender,
                        float confidence,
                        MapEstimate& estimate) const
 {
+  std::vector<float> changes = evidence.local_changes;
   constexpr float strong = 10.0F;
   constexpr float largest_share = 0.5F; // where more is left out, the rest is not what the surface is
   const SupportSettings settings;
-  const Support support = findSupport(sampled_, contender.samples, evidence.local_changes, settings);
-  estimate.unsupported_share = support.unsupported_share;
+  Support support = findSupport(sampled_, contender.samples, changes, settings);
   estimate.supported_confidence = confidence;
   if (support.unsupported_share > 0.0F) {
+    // What was disturbed by an odd part does not count as evidence, but has a counterpart.
+    support = takeBackSupported(sampled_, contender.samples, support, settings, changes);
     estimate.supported_confidence =
         mapConfidence(gatherSupportedEvidence(sampled_, *contender.candidate, contender.samples, support, evidence));
   }
+  estimate.unsupported_share = support.unsupported_share;
   const auto odds = [](float p) {
     return p / std::max(1e-6F, 1.0F - p);
   };
+  const float of_rest = estimate.supported_confidence * (1.0F - support.unsupported_share);
   estimate.is_partial = support.unsupported_share > 0.0F && support.unsupported_share < largest_share &&
+                        of_rest >= RefusalCalibration{}.partial &&
                         odds(estimate.supported_confidence) >= strong * odds(confidence);
-  estimate.trust =
-      estimate.is_partial ? estimate.supported_confidence * (1.0F - support.unsupported_share) : confidence;
+  estimate.trust = estimate.is_partial ? of_rest : confidence;
   estimate.measures.push_back({"unsupported_share", estimate.unsupported_share});
   estimate.measures.push_back({"supported_confidence", estimate.supported_confidence});
+  estimate.landmark_evidence = pointEvidence(sampled_, contender.samples, changes);
   std::vector<float> at_samples(sampled_.coarse.size());
   for (std::size_t i = 0; i < at_samples.size(); ++i) {
-    const float change = evidence.local_changes[sampled_.landmarks.nearest_landmark[i]] / settings.change;
+    const float change = changes[sampled_.landmarks.nearest_landmark[i]] / settings.change;
     at_samples[i] = 1.0F / (1.0F + change * change);
   }
   for (std::size_t v = 0; v < sampled_.surface.size(); ++v) {
@@ -121,7 +126,6 @@ MapJudge::verdict(std::vector<Contender>& contenders) const
   estimate.measures = namedMeasures(evidence);
   judgeSupport(contenders.front(), evidence, confidence, estimate);
   estimate.map_confidence = confidence;
-  estimate.landmark_evidence = pointEvidence(sampled_, contenders.front().samples, evidence.local_changes);
   const Contender& best = contenders.front();
   if (confidence < RefusalCalibration{}.one_interpretation) {
     estimate.confidence = confidence_of_refused * confidence;

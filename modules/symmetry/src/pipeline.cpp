@@ -52,16 +52,26 @@ addRemark(SymmetryResult& result, const std::string& remark)
   result.message += (result.message.empty() ? "" : "; ") + remark;
 }
 
-/** A map of a small part of the input is at most that part right; says so where much was left out. */
+/** A map of a part of the input is at most that part right, says so, and is the symmetry of a part; of less than half of
+ * the input it is none. */
 void
-boundByShareUsed(SymmetryResult& result, ComponentUse use)
+judgeShareUsed(SymmetryResult& result, ComponentUse use)
 {
+  constexpr float half = 0.5F;
   const float share = shareUsed(result.input, use);
-  if (share < nearly_all) {
-    result.confidence = std::min(result.confidence, share);
-    addRemark(result, std::to_string(std::lround(100.0F * (1.0F - share))) +
-                          " % of the points lie apart from the part that was mapped");
+  if (share >= nearly_all) {
+    return;
   }
+  result.confidence = std::min(result.confidence, share);
+  addRemark(result, std::to_string(std::lround(100.0F * (1.0F - share))) +
+                        " % of the points lie apart from the part that was mapped");
+  if (share >= half) {
+    result.status = SymmetryStatus::PartlySymmetric;
+    return;
+  }
+  result.status = SymmetryStatus::NoSymmetry;
+  result.confidence *= confidence_of_refused;
+  addRemark(result, "that is less than half: ask for the largest component alone, or cut the others off");
 }
 
 /** What became of the points of the input, for those who are told that there are too few. */
@@ -118,7 +128,10 @@ estimateInto(SymmetryResult& result,
     result.confidence *= confidence_of_refused;
     return;
   }
-  boundByShareUsed(result, parameters.components);
+  judgeShareUsed(result, parameters.components);
+  if (!hasMap(result.status)) {
+    return;
+  }
   for (float& confidence : estimate.confidences) {
     confidence = withMapConfidence(confidence, estimate.confidence, result.confidence);
   }

@@ -52,16 +52,17 @@ around(const CoarseBody& body, Index landmark, float radius)
 TEST(LocalDistanceChange, IsSmallEverywhereUnderTheTrueMap)
 {
   const CoarseBody& body = human();
-  const std::vector<float> change = localDistanceChange(body.sampled(), truePartners(body));
+  const std::vector<float> change = LocalDistanceChange(body.sampled(), truePartners(body)).everywhere();
   ASSERT_EQ(change.size(), body.landmarks.size());
   EXPECT_LT(*std::max_element(change.begin(), change.end()), SupportSettings{}.change);
-  EXPECT_EQ(change, withThreads(4, [&] { return localDistanceChange(body.sampled(), truePartners(body)); }));
+  EXPECT_EQ(change,
+            withThreads(4, [&] { return LocalDistanceChange(body.sampled(), truePartners(body)).everywhere(); }));
 }
 
 TEST(LocalDistanceChange, OfTheIdentityIsNone)
 {
   const CoarseBody& body = human();
-  for (const float change : localDistanceChange(body.sampled(), body.coarse.cells.vertices)) {
+  for (const float change : LocalDistanceChange(body.sampled(), body.coarse.cells.vertices).everywhere()) {
     EXPECT_LT(change, 0.15F); // the points of the samples themselves, but for interpolation
   }
 }
@@ -81,7 +82,7 @@ TEST(LocalDistanceChange, IsLargeWhereALimbIsSentToItsRoot)
   for (std::size_t i = 0; i < limb.size(); ++i) {
     partners[i] = limb[i] != 0 ? root : partners[i];
   }
-  const std::vector<float> change = localDistanceChange(body.sampled(), partners);
+  const std::vector<float> change = LocalDistanceChange(body.sampled(), partners).everywhere();
   EXPECT_GT(change[extremity], SupportSettings{}.change);
 }
 
@@ -124,6 +125,77 @@ TEST(FindSupport, TakesInWhatIsCutOffAndMirroredInItself)
   // The same ring around a limb that has a counterpart takes in nothing but itself.
   estimate.landmark_map = body.trueMap();
   EXPECT_EQ(findSupport(body.sampled(), estimate, change).is_unsupported[extremity], 0);
+}
+
+TEST(TakeBackSupported, WhatChangesOnlyRelativeToAnOddPartHasACounterpart)
+{
+  const CoarseBody& body = human();
+  Support support;
+  support.is_unsupported = around(body, body.landmarks.extremities.front(), 0.3F);
+  support.is_disturbed = support.is_unsupported;
+  support.unsupported_share = 0.1F;
+  std::vector<float> changes(body.landmarks.size(), 1.0F);
+  const Support rest = takeBackSupported(body.sampled(), estimateOf(body), support, {}, changes);
+  EXPECT_EQ(rest.unsupported_share, 0.0F) << "the map is right there";
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    EXPECT_EQ(changes[i] <= SupportSettings{}.change, support.is_unsupported[i] != 0)
+        << "measured anew where it joined";
+  }
+}
+
+TEST(TakeBackSupported, ALimbThatIsSentIntoItselfStaysOut)
+{
+  const CoarseBody& body = human();
+  const Index extremity = body.landmarks.extremities.front();
+  const std::vector<char> limb = around(body, extremity, 0.25F);
+  Support support;
+  support.is_unsupported = around(body, extremity, 0.35F); // with its root, which has a counterpart
+  support.is_disturbed.resize(limb.size(), 0);             // to see what is marked
+  SampleEstimate estimate = estimateOf(body);
+  for (std::size_t i = 0; i < limb.size(); ++i) {
+    if (limb[i] != 0) {
+      estimate.landmark_map[i] = static_cast<Index>(i);
+      estimate.partners[i] = body.coarse.cells.vertices[i];
+    }
+  }
+  std::vector<float> changes(body.landmarks.size(), 1.0F);
+  const Support rest = takeBackSupported(body.sampled(), estimate, support, {}, changes);
+  EXPECT_EQ(rest.is_unsupported[extremity], 1);
+  EXPECT_LT(std::count(rest.is_unsupported.begin(), rest.is_unsupported.end(), 1),
+            std::count(support.is_unsupported.begin(), support.is_unsupported.end(), 1));
+  EXPECT_GE(std::count(rest.is_unsupported.begin(), rest.is_unsupported.end(), 1),
+            std::count(limb.begin(), limb.end(), 1) / 2);
+  // A limb stands out, so that what is around its root is disturbed, too; nothing is that is farther away.
+  const std::vector<char> wider = around(body, extremity, 0.35F + SupportSettings{}.rim);
+  for (std::size_t i = 0; i < limb.size(); ++i) {
+    EXPECT_LE(rest.is_unsupported[i], rest.is_disturbed[i]);
+    EXPECT_LE(rest.is_disturbed[i], wider[i]);
+  }
+  EXPECT_GT(std::count(rest.is_disturbed.begin(), rest.is_disturbed.end(), 1),
+            std::count(rest.is_unsupported.begin(), rest.is_unsupported.end(), 1));
+}
+
+TEST(TakeBackSupported, AFlatPartDisturbsNothingAroundIt)
+{
+  const CoarseBody& body = human();
+  // Around a place on the trunk, far from all extremities, everything is sent to where its partner is not.
+  const std::vector<float>& average = body.landmarks.average_distance;
+  const auto middle = static_cast<Index>(std::min_element(average.begin(), average.end()) - average.begin());
+  Support support;
+  support.is_unsupported = around(body, middle, 0.12F);
+  support.is_disturbed = support.is_unsupported;
+  SampleEstimate estimate = estimateOf(body);
+  const Index elsewhere = body.landmarks.extremities.front();
+  for (std::size_t i = 0; i < support.is_unsupported.size(); ++i) {
+    if (support.is_unsupported[i] != 0) {
+      estimate.landmark_map[i] = elsewhere;
+      estimate.partners[i] = body.coarse.cells.vertices[elsewhere];
+    }
+  }
+  std::vector<float> changes(body.landmarks.size(), 1.0F);
+  const Support rest = takeBackSupported(body.sampled(), estimate, support, {}, changes);
+  EXPECT_GT(rest.unsupported_share, 0.0F);
+  EXPECT_EQ(rest.is_disturbed, support.is_unsupported);
 }
 
 TEST(UnsupportedParts, AreNamedByShareExtentAndExtremePoint)

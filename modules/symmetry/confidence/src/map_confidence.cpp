@@ -83,9 +83,10 @@ mapConfidence(const MapEvidence& evidence)
   return logistic(c.bias + c.stretch * std::log(measures.stretch + c.stretch_floor) +
                   c.worst_distance * std::log(evidence.worst_distance + c.distance_floor) +
                   c.fit_distance * std::log(evidence.fit.distance + c.fit_floor) +
-                  c.turn * std::log(evidence.fit.turn + c.turn_floor) +
-                  c.average_distance * std::log(measures.average_distance + c.average_distance_floor) +
-                  c.involution * std::log(measures.involution + c.involution_floor) +
+                  c.turn * std::log(std::min(evidence.fit.turn, c.turn_bound) + c.turn_floor) +
+                  c.average_distance * std::log(std::min(measures.average_distance, c.average_distance_bound) +
+                                                c.average_distance_floor) +
+                  c.involution * std::log(std::min(measures.involution, c.involution_bound) + c.involution_floor) +
                   c.curvature * std::min(evidence.rough_curvature, c.curvature_bound) + c.fixed * fixed_beyond +
                   c.distorted * distorted_beyond + evidenceFromGaps(evidence));
 }

@@ -18,7 +18,7 @@ supportedLandmarks(const LandmarkSurface& landmarks, const Support& support)
   LandmarkSurface supported = landmarks;
   Eigen::VectorXf counts(static_cast<Eigen::Index>(landmarks.size()));
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    const bool is_supported = support.is_unsupported[i] == 0;
+    const bool is_supported = support.is_disturbed[i] == 0;
     supported.at_hole[i] = static_cast<char>(landmarks.at_hole[i] != 0 || !is_supported);
     counts[static_cast<Eigen::Index>(i)] = is_supported ? 1.0F : 0.0F;
   }
@@ -35,7 +35,7 @@ measureSupported(const LandmarkSurface& landmarks, const SampleMap& map, const S
   constexpr float much = 0.08F;         // as MapScore::distorted
   std::vector<Index> supported;
   for (std::size_t i = 0; i < map.size(); ++i) {
-    if (support.is_unsupported[i] == 0) {
+    if (support.is_disturbed[i] == 0) {
       supported.push_back(static_cast<Index>(i));
     }
   }
@@ -100,7 +100,7 @@ gatherEvidence(const SampledSurface& sampled,
   evidence.is_noisy = sampled.surface.summary.smoothing_radius > 0.0F;
   evidence.at_holes = shareAtHoles(sampled.coarse);
   evidence.spacing = spacing;
-  evidence.local_changes = localDistanceChange(sampled, samples.partners);
+  evidence.local_changes = LocalDistanceChange(sampled, samples.partners).everywhere();
   evidence.local_change = median(evidence.local_changes);
   evidence.worst_local_change = quantile(evidence.local_changes, worst_places);
   std::vector<float> turns;
@@ -127,7 +127,7 @@ gatherSupportedEvidence(const SampledSurface& sampled,
   measureSupported(sampled.landmarks, samples.landmark_map, support, evidence.score);
   std::vector<PatchFit> fits;
   for (std::size_t k = 0; k < samples.fits.size(); ++k) {
-    if (support.is_unsupported[k] == 0) {
+    if (support.is_disturbed[k] == 0) {
       fits.push_back(samples.fits[k]);
     }
   }

@@ -2,8 +2,11 @@
 
 #include "base/statistics.h"
 #include "base/union_find.h"
+#include "symmetry/confidence/local_change.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace symmetry {
@@ -36,6 +39,16 @@ landmarkAreas(const SampledSurface& sampled)
     areas[sampled.landmarks.nearest_landmark[i]] += sampled.coarse.areas[i];
   }
   return areas;
+}
+
+float
+markedArea(const std::vector<char>& marks, const std::vector<float>& areas)
+{
+  float area = 0.0F;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    area += marks[i] != 0 ? areas[i] : 0.0F;
+  }
+  return area;
 }
 
 /** The median of every landmark and those adjacent: one landmark that is off is noise. */
@@ -84,6 +97,76 @@ groupsOf(const std::vector<std::vector<Index>>& adjacent,
   return groups;
 }
 
+/** Takes the mark off connected groups of less than this area. */
+void
+dropSmallGroups(const std::vector<std::vector<Index>>& adjacent,
+                const std::vector<float>& areas,
+                float least_area,
+                std::vector<char>& marks)
+{
+  const Groups groups = groupsOf(adjacent, areas, marks, 1);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    marks[i] = static_cast<char>(groups.of[i] != no_index && groups.areas[groups.of[i]] >= least_area);
+  }
+}
+
+/** Mean distance of a landmark from the nearest other one. */
+float
+spacingOf(const LandmarkSurface& landmarks)
+{
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < landmarks.distances.cols(); ++i) {
+    float nearest = landmarks.diameter;
+    for (Eigen::Index j = 0; j < landmarks.distances.rows(); ++j) {
+      nearest = i == j ? nearest : std::min(nearest, landmarks.distances(j, i));
+    }
+    sum += static_cast<double>(nearest);
+  }
+  return static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(1, landmarks.size())));
+}
+
+/** Distance from every landmark to the nearest one that holds the condition; infinite where none does. */
+template <typename Condition>
+std::vector<float>
+distancesToNearest(const LandmarkSurface& landmarks, Condition condition)
+{
+  std::vector<float> nearest(landmarks.size(), std::numeric_limits<float>::infinity());
+  for (std::size_t j = 0; j < nearest.size(); ++j) {
+    for (std::size_t i = 0; condition(j) && i < nearest.size(); ++i) {
+      nearest[i] =
+          std::min(nearest[i], landmarks.distances(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    }
+  }
+  return nearest;
+}
+
+/** Marks what lies around groups that stand out. */
+void
+disturbRims(const LandmarkSurface& landmarks,
+            const Groups& groups,
+            const SupportSettings& settings,
+            std::vector<char>& is_disturbed)
+{
+  const float spacing = spacingOf(landmarks);
+  const std::vector<float> depths =
+      distancesToNearest(landmarks, [&](std::size_t i) { return groups.of[i] == no_index; });
+  std::vector<float> extents(landmarks.size(), 0.0F);
+  std::vector<float> counts(landmarks.size(), 0.0F);
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    if (groups.of[i] != no_index) {
+      extents[groups.of[i]] = std::max(extents[groups.of[i]], depths[i]);
+      counts[groups.of[i]] += 1.0F;
+    }
+  }
+  const std::vector<float> to_outstanding = distancesToNearest(landmarks, [&](std::size_t i) {
+    const Index group = groups.of[i];
+    return group != no_index && extents[group] > settings.outstanding * spacing * std::sqrt(counts[group]);
+  });
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    is_disturbed[i] = static_cast<char>(is_disturbed[i] != 0 || to_outstanding[i] < settings.rim * landmarks.diameter);
+  }
+}
+
 /** Marks the groups, apart from the largest, that the map mostly sends into themselves or to what has a mark. */
 void
 markCutOff(const Groups& rest, const std::vector<float>& areas, const SampleMap& map, std::vector<char>& marks)
@@ -121,20 +204,52 @@ findSupport(const SampledSurface& sampled,
   marks.resize(change.size());
   std::transform(change.begin(), change.end(), marks.begin(),
                  [&](float c) { return static_cast<char>(c > settings.change); });
-  const Groups changed = groupsOf(adjacent, areas, marks, 1);
-  bool is_any = false;
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    marks[i] = static_cast<char>(changed.of[i] != no_index && changed.areas[changed.of[i]] >= settings.least_area);
-    is_any = is_any || marks[i] != 0;
-  }
-  if (!is_any) {
+  dropSmallGroups(adjacent, areas, settings.least_area, marks);
+  support.is_disturbed = std::vector<char>(marks.size(), 0);
+  if (std::none_of(marks.begin(), marks.end(), [](char mark) { return mark != 0; })) {
     return support;
   }
   markCutOff(groupsOf(adjacent, areas, marks, 0), areas, samples.landmark_map, marks);
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    support.unsupported_share += marks[i] != 0 ? areas[i] : 0.0F;
-  }
+  support.unsupported_share = markedArea(marks, areas);
+  support.is_disturbed = marks;
   return support;
+}
+
+Support
+takeBackSupported(const SampledSurface& sampled,
+                  const SampleEstimate& samples,
+                  const Support& support,
+                  const SupportSettings& settings,
+                  std::vector<float>& changes)
+{
+  Support result = support;
+  std::vector<char>& marks = result.is_unsupported;
+  const std::vector<std::vector<Index>> adjacent = adjacentLandmarks(sampled.landmarks);
+  const LocalDistanceChange change(sampled, samples.partners);
+  std::vector<Index> joining;
+  do {
+    joining.clear();
+    std::vector<float> relative(marks.size(), 0.0F); // of the landmarks without a mark not asked for
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      relative[i] = marks[i] != 0 ? change.relativeTo(static_cast<Index>(i), marks) : 0.0F;
+    }
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      const bool is_at_rim =
+          marks[i] != 0 && std::any_of(adjacent[i].begin(), adjacent[i].end(), [&](Index j) { return marks[j] == 0; });
+      if (is_at_rim && std::max(relative[i], relative[samples.landmark_map[i]]) <= settings.change) {
+        joining.push_back(static_cast<Index>(i));
+        changes[i] = relative[i];
+      }
+    }
+    for (const Index i : joining) {
+      marks[i] = 0;
+    }
+  } while (!joining.empty());
+  const std::vector<float> areas = landmarkAreas(sampled);
+  dropSmallGroups(adjacent, areas, settings.least_area, marks);
+  result.unsupported_share = markedArea(marks, areas);
+  disturbRims(sampled.landmarks, groupsOf(adjacent, areas, marks, 1), settings, result.is_disturbed);
+  return result;
 }
 
 } // namespace symmetry
