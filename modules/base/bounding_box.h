@@ -61,6 +61,18 @@ struct BoundingBox {
     return farthest;
   }
 
+  /** \brief As the crow flies; 0 inside. */
+  double
+  straightDistanceTo(const Vector3& p) const
+  {
+    double squared = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double beyond = std::max({0.0, double{low[k]} - double{p[k]}, double{p[k]} - double{high[k]}});
+      squared += beyond * beyond;
+    }
+    return std::sqrt(squared);
+  }
+
 private:
   static constexpr float infinity = std::numeric_limits<float>::infinity();
 

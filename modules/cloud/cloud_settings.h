@@ -35,7 +35,10 @@ struct ResamplingSettings {
   float gaps_per_radius = 1.0F;     ///< of the discs that stand for the surface
   float spacings_per_radius = 0.7F; ///< geometric: half the diagonal of a square, so that discs on a grid leave no gap
   float nearby_distance = 2.0F;     ///< spacings of a point in use within which it stands for what was left out
-  float parted_clearance = 0.125F;  ///< share of the clearance by which two merged sheets are moved apart
+  /** Of the cube around the points, that they fill: geometric, half of what a ball does. Thick with noise, bodies fill some
+   * hundredths of it, a shell a tenth. */
+  double filled_share = 0.26;
+  float parted_clearance = 0.125F; ///< share of the clearance by which two merged sheets are moved apart
 };
 
 /** \brief Noise and how it is smoothed, see sheet_smoothing.h. */

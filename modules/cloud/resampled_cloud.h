@@ -36,7 +36,8 @@ enum class NoiseInterpretation {
  * neighbourhoods are flattest. Only points on the same sheet of the surface take part (robust moving least squares
  * \cite fleishman2005robust), so that the two sides of a thin part and two parts in contact stay apart as long as the
  * noise leaves a gap between them. Thick and large clouds are thinned out to an even spacing. A cloud so coarse that
- * its neighbourhoods are as large as limbs is left as it is.
+ * its neighbourhoods are as large as limbs is left as it is, and so are points that fill space as a ball does: fitted to
+ * them, planes would make up sheets.
  *
  * \param[in] points all finite, at unit scale
  * \param[in] lists their nearest neighbours

@@ -3,6 +3,7 @@
 #include "support/boxes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -178,6 +179,47 @@ randomStrip(Index points)
   return surface;
 }
 
+/** \brief A globe, and triangles between any of its points. */
+Surface
+globeWithChords(int columns, int rows, int chords)
+{
+  Dice dice(4);
+  Surface surface = globe(columns, rows);
+  const auto points = static_cast<Index>(surface.size());
+  for (int i = 0; i < chords; ++i) {
+    const Index a = dice.below(points);
+    const Index b = dice.below(points);
+    surface.triangles.push_back({a, b, dice.below(points)});
+  }
+  return surface;
+}
+
+/** \brief Points of which no two thirds of any size are joined. */
+Surface
+cantorDust(std::size_t points)
+{
+  Dice dice(11);
+  return curve(points, [&dice](double) {
+    std::array<double, 3> place{};
+    for (double& x : place) {
+      for (double step = 2.0 / 3.0; step > 1e-6; step /= 3.0)
+        x += step * dice.below(2);
+    }
+    return at(place[0], place[1], place[2]);
+  });
+}
+
+Surface
+solidBall(std::size_t points)
+{
+  Dice dice(11);
+  return curve(points, [&dice](double) {
+    const Vector3 p = onSphere(dice);
+    const double r = std::cbrt(dice.share());
+    return at(r * p[0], r * p[1], r * p[2]);
+  });
+}
+
 /** \brief Points at random on a sphere, at distances of many sizes from its centre. */
 Surface
 logarithmicBall(std::size_t points, double decades)
@@ -250,6 +292,8 @@ hostileGeometry()
       {"BodyWithFewScrambledFaces", "03", [] { return scrambled(body(6000), 0.003); }, {}},
       {"LooseTriangles", "013", [] { return looseTriangles(3000, 0.01); }, {}},
       {"LooseTrianglesThatCross", "013", [] { return looseTriangles(1500, 0.3); }, {}},
+      {"ManyLooseTrianglesThatCross", "013", [] { return looseTriangles(8000, 0.3); }, {}},
+      {"GlobeWithChords", "03", [] { return globeWithChords(160, 160, 3000); }, {}},
       // Shapes of which a spacing or a size tells nothing.
       {"SpikyGlobe", "03", spiky, {}},
       {"GlobeOfNeedles", "03", [] { return globe(1000, 10); }, {}},
@@ -277,7 +321,10 @@ hostileGeometry()
       // Clouds.
       {"BallOfManySizes", "013", [] { return logarithmicBall(6000, 26.0); }, {}},
       {"BallOfAThousandSizes", "013", [] { return logarithmicBall(6000, 3.0); }, {}},
-      {"TwoClustersAMillionSizesApart", "013", [] { return twoFarClusters(2000); }, {}},
+      {"TwoClustersAMillionSizesApart", "013", [] { return twoFarClusters(20000); }, {}},
+      {"SolidBall", "03", [] { return solidBall(83000); }, {}},
+      {"CantorDust", "03", [] { return cantorDust(30000); }, {}},
+      {"TwoClustersFiftySizesApart", "03", [] { return clusters(2, 40000, 0.003); }, {}},
       {"ManySpheresInARow",
        "03",
        [] {

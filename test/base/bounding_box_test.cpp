@@ -23,6 +23,9 @@ TEST(BoundingBox, MeasuresHowFarAPointIsOutside)
   EXPECT_EQ(box.distanceTo({-1, 9, 3}), 5.0); // along one axis, not straight
   EXPECT_EQ(box.distanceTo({2, 4, 6}), 0.0);
   EXPECT_EQ(box.distanceTo({1, 1, 1}), -1.0);
+  EXPECT_EQ(box.straightDistanceTo({5, -4, 3}), 5.0);
+  EXPECT_EQ(box.straightDistanceTo({3, 6, 8}), 3.0);
+  EXPECT_EQ(box.straightDistanceTo({1, 1, 1}), 0.0);
 }
 
 TEST(BoundingBox, OfNothingIsNotAPoint)

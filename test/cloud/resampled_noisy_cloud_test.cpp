@@ -29,6 +29,25 @@ TEST(ResampledNoisyCloud, LiesOnTheSurfaceThatNoiseHides)
   }
 }
 
+TEST(ResampledNoisyCloud, OfWhatFillsSpaceHasNoSheetsThatAreMadeUp)
+{
+  std::mt19937 random(7);
+  std::vector<Vector3> ball;
+  while (ball.size() < 50000) {
+    const Vector3 p{evenly(random, -0.5F, 0.5F), evenly(random, -0.5F, 0.5F), evenly(random, -0.5F, 0.5F)};
+    if (norm(p) < 0.5F) {
+      ball.push_back(p);
+    }
+  }
+  for (const NoiseInterpretation reading : {NoiseInterpretation::Smooth, NoiseInterpretation::Close}) {
+    const ResampledCloud cloud = resampleCloud(ball, nearestNeighbours(ball, 10), any_number, reading);
+    EXPECT_EQ(cloud.smoothing_radius, 0.0F);
+    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+      ASSERT_EQ(cloud.points[i], ball[cloud.original[i]]);
+    }
+  }
+}
+
 TEST(ResampledNoisyCloud, ReadCloselyShowsMoreOfADenseCloud)
 {
   // A groove that large neighbourhoods level.

@@ -1,5 +1,7 @@
 #include "cloud/point_grid.h"
 
+#include "base/heartbeat.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -104,8 +106,9 @@ uncrowdedCell(const std::vector<Vector3>& points, float cell, std::size_t most)
   for (int i = 0; i < most_steps; ++i) {
     const PointGrid grid(points, cell);
     std::size_t visited = 0;
-    for (const Vector3& p : points) {
-      grid.visitAround(p, [&visited](Index) { ++visited; });
+    for (auto p = points.begin(); p != points.end() && visited <= most * points.size(); ++p) {
+      heartbeat();
+      grid.visitAround(*p, [&visited](Index) { ++visited; });
     }
     if (visited <= most * points.size()) {
       break;

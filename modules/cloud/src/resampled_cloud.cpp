@@ -1,5 +1,6 @@
 #include "cloud/resampled_cloud.h"
 
+#include "base/bounding_box.h"
 #include "base/heartbeat.h"
 #include "base/parallel.h"
 #include "base/renumbering.h"
@@ -183,6 +184,20 @@ smooth(Selection& selection, const Smoothing& smoothing, std::size_t maximum_poi
   return sheets.gaps;
 }
 
+/** Whether points are everywhere in the cube around them, as in a ball or a box: planes fitted to what is nowhere flat are
+ * sheets that nothing has. \param[in] neighbours of each point, and the
+ * mean of their distances */
+bool
+fillsSpace(const std::vector<Vector3>& points, std::size_t neighbours, float mean_distance)
+{
+  constexpr double ball = 4.18879;             // 4/3 pi: volume over the radius cubed
+  constexpr double radius_of_mean = 4.0 / 3.0; // of a ball, over the mean distance from its centre
+  const double radius = radius_of_mean * double{mean_distance};
+  const double of_a_point = ball * radius * radius * radius / static_cast<double>(neighbours);
+  const double side = boundingBox(points).longestSide();
+  return static_cast<double>(points.size()) * of_a_point > settings.filled_share * side * side * side;
+}
+
 /** The surface around places, without the gaps between the points. \param[in] spacing of the places */
 std::vector<Surfel>
 surfels(const Selection& selection, const std::vector<float>& gaps, float spacing)
@@ -270,7 +285,10 @@ resampleCloud(const std::vector<Vector3>& points,
   const float mean_distance = median(mean_distances);
   Selection selection = allPoints(inliers);
   Smoothing smoothing = findSmoothing(inliers, mean_distance);
-  if (interpretation != NoiseInterpretation::Smooth) {
+  if (smoothing.radius > 0.0F && fillsSpace(inliers, lists.k, mean_distance)) {
+    smoothing = {};
+  }
+  else if (interpretation != NoiseInterpretation::Smooth) {
     smoothing = withLeastRadius(smoothing, mean_distance);
   }
   heartbeat();

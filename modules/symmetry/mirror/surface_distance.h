@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/vector_math.h"
-#include "cloud/point_grid.h"
+#include "cloud/ball_tree.h"
 #include "symmetry/surface/prepared_surface.h"
 
 #include <cstdint>
@@ -48,10 +48,8 @@ private:
   const PreparedSurface& surface_;
   float reach_;
   std::vector<Vector3> middles_; ///< of the triangles of a mesh
-  std::vector<float>
-      radii_;      ///< of the triangles around their middles; of a cloud: how far the plane of each point reaches
-  float widest_;   ///< of the radii that are met all around
-  PointGrid grid_; ///< of the middles, or of the points of a cloud
+  std::vector<float> radii_;     ///< of the triangles; of a cloud: how far the plane of each point reaches
+  BallTree tree_;                ///< of the triangles, or of the points of a cloud
 };
 
 } // namespace symmetry

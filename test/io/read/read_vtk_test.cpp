@@ -137,6 +137,8 @@ TEST_F(ReadVtk, RefusesWhatIsNone)
 {
   const std::string polygons = head + "ASCII\nDATASET POLYDATA\n" + five_points;
   const std::string grid = head + "ASCII\nDATASET UNSTRUCTURED_GRID\n" + five_points;
+  const std::string newer_polygons =
+      "# vtk DataFile Version 5.1\n\nASCII\nDATASET POLYDATA\n" + five_points + "POLYGONS 2 3\nOFFSETS vtktypeint64\n";
   const std::vector<std::pair<std::string, std::vector<std::string>>> broken = {
       {"# vtk DataFil\n", {"line 1", "not a VTK file"}},
       {head + "TEXT\nDATASET POLYDATA\n", {"line 3", "'text'", "'ASCII' nor 'BINARY'"}},
@@ -152,7 +154,13 @@ TEST_F(ReadVtk, RefusesWhatIsNone)
       {polygons + five_points, {"second list of points"}},
       {polygons + "POLYGON 1 4\n3 0 1 2\n", {"unknown section 'polygon'"}},
       {grid + "CELLS 1 4\n3 0 1 2\nCELL_TYPES 2\n5 5\n", {"2 types of cells"}},
-      {grid + "CELLS 1 4\n3 0 1 2\n", {"0 types of cells"}}};
+      {grid + "CELLS 1 4\n3 0 1 2\n", {"0 types of cells"}},
+      {newer_polygons + "0 4\nCONNECTIVITY vtktypeint64\n0 1 2\n", {"offset 4 among 3 corners"}},
+      {newer_polygons + "-1 3\nCONNECTIVITY vtktypeint64\n0 1 2\n", {"offset -1 among 3 corners"}},
+      {newer_polygons + "3 0\nCONNECTIVITY vtktypeint64\n0 1 2\n", {"offset 0 among 3 corners"}},
+      {newer_polygons + "0 3\nCORNERS vtktypeint64\n0 1 2\n", {"'CONNECTIVITY' is expected"}},
+      {newer_polygons + "0 3\nCONNECTIVITY float\n0 1 2\n", {"no integers"}},
+      {head + "BINARY\nDATASET POLYDATA\nPOINTS 3 float\n" + std::string(35, '\0'), {"file ends within 9 numbers"}}};
   for (const auto& [content, words] : broken) {
     SCOPED_TRACE(content);
     expectInMessage(messageOf<IOException>([&, content = content] { readSurface(write("a.vtk", content)); }), words);

@@ -1,6 +1,7 @@
 #include "base/vector_math.h"
 #include "cloud/clouds.h"
 #include "symmetry/surface/cloud_cleaning.h"
+#include "symmetry/surface/scale_normalization.h"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,26 @@ TEST(CloudCleaning, LeavesOutAFarPartAndScalesTheRestAnew)
   EXPECT_EQ(surface.summary.outliers, 1U); // too few for a part
   EXPECT_NEAR(surface.scale, 1.0F / 9.0F, 1e-6F);
   EXPECT_NEAR(distance(surface.points.front(), {-0.5F, -0.5F, 0.0F}), 0.0F, 1e-6F);
+}
+
+TEST(CloudCleaning, LeavesOutHalfOfThePointsWhereNothingShowsBesideTheWayBetween)
+{
+  // As far from the middle of all as the others: no median tells that they are far.
+  constexpr int side = 30;
+  PreparedSurface surface = squareAnd({0, 0, 0}, side);
+  surface.points.pop_back();
+  for (int i = 0; i < side * side; ++i) {
+    surface.points.push_back(surface.points[i] + Vector3{1e5F, 0, 0});
+  }
+  surface.original.resize(surface.size());
+  std::iota(surface.original.begin(), surface.original.end(), 0);
+  surface.representatives = surface.original;
+  const std::vector<Vector3> input = surface.points;
+  normalizeScale(surface);
+  dropFarParts(input, SymmetryParameters{}, nearestNeighbours, surface);
+  EXPECT_EQ(surface.size(), 900U);
+  EXPECT_EQ(surface.summary.other_components, 900U);
+  EXPECT_NEAR(surface.scale, 1.0F / 29.0F, 1e-6F);
 }
 
 TEST(CloudCleaning, DropsPointsWithNeighboursUnusuallyFarAway)

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
 #include <utility>
 
 using namespace pcl::symmetry;
@@ -18,6 +19,7 @@ struct LatticeInParts {
   std::vector<Vector3> points;
   std::vector<Index> part_of;
   std::vector<Index> group_of; ///< two parts each
+  std::vector<float> farthest; ///< of every group
 
   LatticeInParts(std::size_t count, Index parts)
   {
@@ -33,6 +35,7 @@ struct LatticeInParts {
     }
     for (Index part = 0; part < parts; ++part) {
       group_of.push_back(part / 2);
+      farthest.push_back(part % 3 == 0 ? 2.5F : 100.0F);
     }
   }
 };
@@ -47,7 +50,8 @@ nearestByPart(const LatticeInParts& lattice, const std::vector<Index>& order, st
   };
   for (const Index w : order) {
     const Index part = lattice.part_of[w];
-    if (lattice.group_of[part] == lattice.group_of[lattice.part_of[from]] || apart(w) > reach) {
+    const Index group = lattice.group_of[part];
+    if (group == lattice.group_of[lattice.part_of[from]] || apart(w) > std::min(reach, lattice.farthest[group])) {
       continue;
     }
     const auto [known, is_new] = nearest.try_emplace(part, w);
@@ -84,11 +88,12 @@ TEST_P(NearestOfPartsTest, FindsWhatLookingAtAllFinds)
   std::vector<Index> order(lattice.points.size());
   std::iota(order.rbegin(), order.rend(), 0);
   nearest.setOrder(order);
+  nearest.setGroups(lattice.group_of, lattice.farthest);
   for (const float reach : {0.5F, 3.0F, 50.0F}) {
     for (std::size_t v = 0; v < lattice.points.size(); v += 37) {
       std::map<Index, Index> found;
       for (const NearestOfParts::Found& part :
-           nearest.search(lattice.points[v], lattice.group_of, lattice.group_of[lattice.part_of[v]], reach)) {
+           nearest.search(lattice.points[v], lattice.group_of[lattice.part_of[v]], reach)) {
         EXPECT_EQ(part.distance, distance(lattice.points[v], lattice.points[part.point]));
         found[part.part] = part.point;
       }
@@ -103,7 +108,29 @@ TEST_P(NearestOfPartsTest, FindsWhatLookingAtAllFinds)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, NearestOfPartsTest, testing::Values(2, 6, 64, 65, 300));
+INSTANTIATE_TEST_SUITE_P(Parts, NearestOfPartsTest, testing::Values(2, 6, 33, 64, 65, 300));
+
+TEST(NearestOfParts, PassesOverNoBoxInWhichAnotherGroupIsToo)
+{
+  // Along a line, a part after the other, and the middle ones in a group with the first.
+  std::vector<Vector3> points;
+  std::vector<Index> part_of;
+  for (Index i = 0; i < 400; ++i) {
+    points.push_back({static_cast<float>(i), 0.0F, 0.0F});
+    part_of.push_back(i / 40);
+  }
+  const std::vector<Index> group_of = {0, 0, 0, 0, 1, 1, 0, 0, 0, 1};
+  NearestOfParts nearest(points, part_of, group_of.size());
+  nearest.setGroups(group_of, std::vector<float>(group_of.size(), 1e6F));
+  for (std::size_t v = 0; v < points.size(); v += 7) {
+    std::set<Index> found;
+    for (const NearestOfParts::Found& part : nearest.search(points[v], group_of[part_of[v]], 1e6F)) {
+      found.insert(part.part);
+    }
+    const bool is_first = group_of[part_of[v]] == 0;
+    EXPECT_EQ(found, is_first ? (std::set<Index>{4, 5, 9}) : (std::set<Index>{0, 1, 2, 3, 6, 7, 8})) << "point " << v;
+  }
+}
 
 TEST(NearestOfParts, DoesNotLookAtAllPointsThatAreEquallyFar)
 {
@@ -112,7 +139,7 @@ TEST(NearestOfParts, DoesNotLookAtAllPointsThatAreEquallyFar)
   std::vector<Index> part_of(points.size(), 0);
   part_of.back() = 1;
   NearestOfParts nearest(points, part_of, 2);
-  const auto& found = nearest.search(points.back(), {0, 1}, 1, 2.0F);
+  const auto& found = nearest.search(points.back(), 1, 2.0F);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found.front().distance, 1.0F);
   EXPECT_LT(found.front().looked_at, 2000);
@@ -123,7 +150,7 @@ TEST(NearestOfParts, OfNothingIsNothing)
   const std::vector<Vector3> points;
   const std::vector<Index> part_of;
   NearestOfParts nearest(points, part_of, 0);
-  EXPECT_TRUE(nearest.search({0.0F, 0.0F, 0.0F}, {}, 0, 1.0F).empty());
+  EXPECT_TRUE(nearest.search({0.0F, 0.0F, 0.0F}, 0, 1.0F).empty());
 }
 
 } // namespace

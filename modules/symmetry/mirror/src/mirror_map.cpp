@@ -1,11 +1,13 @@
 #include "symmetry/mirror/mirror_map.h"
 
 #include "base/parallel.h"
+#include "cloud/ball_tree.h"
 #include "cloud/point_grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace pcl {
@@ -18,6 +20,9 @@ public:
   NearestPoints(const PreparedSurface& surface, float reach)
       : surface_(surface), reach_(reach), grid_(surface.points, reach)
   {
+    if (uncrowdedCell(surface.points, reach, most_around) < reach) {
+      crowd_.emplace(surface.points, std::vector<float>(surface.size(), 0.0F));
+    }
   }
 
   /** \param[in] part that the point must be of, no_index: any */
@@ -28,24 +33,34 @@ public:
     const float across = 0.5F * reach_;
     Index best = no_index;
     float least = 2.0F * reach_;
-    grid_.visitAround(place, [&](Index v) {
+    const auto look_at = [&](Index v) {
       const float apart = distance(surface_.points[v], place);
-      if (apart > reach_ || (part != no_index && surface_.part_of[v] != part)) {
-        return;
+      if (apart <= reach_ && (part == no_index || surface_.part_of[v] == part)) {
+        const float cost = apart + across * (1.0F - std::abs(dot(surface_.normals[v], direction)));
+        if (cost < least) {
+          least = cost;
+          best = v;
+        }
       }
-      const float cost = apart + across * (1.0F - std::abs(dot(surface_.normals[v], direction)));
-      if (cost < least) {
-        least = cost;
-        best = v;
-      }
-    });
+    };
+    if (crowd_) {
+      // No point costs less than it is apart.
+      crowd_->visitNearest(
+          place, [&](float) { return std::min(least, reach_); }, look_at);
+    }
+    else {
+      grid_.visitAround(place, look_at);
+    }
     return best;
   }
 
 private:
+  static constexpr std::size_t most_around = 1000; // a surface has some tens
+
   const PreparedSurface& surface_;
   float reach_;
   PointGrid grid_;
+  std::optional<BallTree> crowd_; ///< where cubes hold so many points that looking at all of them would not end
 };
 
 /** The part that each part is mapped onto; no_index where its images lie on several or on none. */

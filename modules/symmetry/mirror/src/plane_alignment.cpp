@@ -1,5 +1,7 @@
 #include "symmetry/mirror/plane_alignment.h"
 
+#include "base/heartbeat.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -81,6 +83,7 @@ closeGaps(PlaneReflection plane,
     AlignmentStep step(plane,
                        diagonal * settings.first_scale * std::pow(settings.last_scale / settings.first_scale, part));
     for (std::size_t i = 0; i < std::min(sources, samples.size()); ++i) {
+      heartbeat();
       if (const std::optional<Gap> found = gap(plane, i, plane.image(samples.points[i]))) {
         step.add(samples.points[i], samples.areas[i], toEigen(found->vector), found->metric);
       }

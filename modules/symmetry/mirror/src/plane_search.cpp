@@ -1,6 +1,7 @@
 #include "symmetry/mirror/plane_search.h"
 
 #include "base/bounding_box.h"
+#include "base/heartbeat.h"
 #include "cloud/point_grid.h"
 #include "symmetry/mirror/distance_grid.h"
 #include "symmetry/mirror/plane_alignment.h"
@@ -142,6 +143,7 @@ measureFit(const PlaneReflection& plane,
   MirrorFit fit{plane};
   float area = 0.0F;
   for (std::size_t i = 0; i < std::min(count, samples.size()); ++i) {
+    heartbeat();
     const float apart = distance_from.at(plane.image(samples.points[i]));
     area += samples.areas[i];
     fit.share += apart <= tolerance ? samples.areas[i] : 0.0F;
@@ -165,6 +167,7 @@ shareByChance(const AreaSamples& samples, const SurfaceDistance& distance_from, 
     float on_surface = 0.0F;
     float area = 0.0F;
     for (std::size_t i = 0; i < std::min(first_look, samples.size()); ++i) {
+      heartbeat();
       const Vector3 place = samples.points[i] + (way * tolerance) * samples.normals[i];
       area += samples.areas[i];
       on_surface += distance_from.at(place) <= tolerance ? samples.areas[i] : 0.0F;

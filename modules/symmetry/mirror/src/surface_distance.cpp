@@ -85,10 +85,11 @@ farEdges(const SurfaceGraph& graph)
   return reaches;
 }
 
-float
-largestOf(const std::vector<float>& values)
+std::vector<float>
+boundedBy(float largest, std::vector<float> values)
 {
-  return values.empty() ? 0.0F : *std::max_element(values.begin(), values.end());
+  std::transform(values.begin(), values.end(), values.begin(), [largest](float x) { return std::min(x, largest); });
+  return values;
 }
 
 /** Surfaces are at unit scale, and long sides are split: wider triangles are slivers of which there were too many. They
@@ -97,16 +98,12 @@ constexpr float widest_radius = 0.06F;
 
 } // namespace
 
-/** Cubes are smaller than what is searched around a place by so much: where points are crowded few of them are met. */
-constexpr float fineness = 4.0F;
-
 SurfaceDistance::SurfaceDistance(const PreparedSurface& surface, float reach)
     : surface_(surface),
       reach_(reach),
       middles_(surface.is_cloud ? std::vector<Vector3>{} : middlesOfTriangles(surface)),
       radii_(surface.is_cloud ? farEdges(surface.graph) : radiiOfTriangles(surface, middles_)),
-      widest_(std::min(widest_radius, largestOf(radii_))),
-      grid_(surface.is_cloud ? surface.points : middles_, (reach + widest_) / fineness)
+      tree_(surface.is_cloud ? surface.points : middles_, boundedBy(widest_radius, radii_))
 {
 }
 
@@ -136,8 +133,10 @@ SurfaceDistance::nearest(const Vector3& place) const
   std::optional<Nearest> best;
   Index nearest = no_index;
   float least = reach_;
-  const float around = surface_.is_cloud ? 0.0F : widest_;
-  grid_.visitNearest(place, std::max(widest_, reach_ + around), [&](Index i) {
+  const auto reach = [&](float radius) {
+    return surface_.is_cloud ? std::max(radius, least) : radius + least;
+  };
+  tree_.visitNearest(place, reach, [&](Index i) {
     if (surface_.is_cloud || distance(middles_[i], place) <= least + radii_[i]) {
       const Nearest found = surface_.is_cloud ? nearestOfPlane(i, place) : nearestOfTriangle(i, place);
       if (found.distance < least || (found.distance == least && i > nearest)) {
@@ -146,7 +145,6 @@ SurfaceDistance::nearest(const Vector3& place) const
         nearest = i;
       }
     }
-    return std::max(widest_, least + around);
   });
   return best;
 }

@@ -1,5 +1,6 @@
 #include "symmetry/sides/side_growth.h"
 
+#include "base/heartbeat.h"
 #include "symmetry/sides/side_settings.h"
 
 #include <algorithm>
@@ -50,6 +51,7 @@ public:
   grow(const std::vector<Index>& partners)
   {
     while (!front_.empty()) {
+      heartbeat();
       const Reached next = front_.top();
       front_.pop();
       if (sides_[next.point] == 0.0F) {

@@ -2,6 +2,7 @@
 
 #include "base/bounding_box.h"
 #include "base/renumbering.h"
+#include "base/sort_unique.h"
 #include "base/statistics.h"
 #include "base/union_find.h"
 #include "base/vector_math.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace pcl {
@@ -37,6 +39,26 @@ distancesFromMiddle(const std::vector<Vector3>& points)
     distances.push_back(std::hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]));
   }
   return distances;
+}
+
+/** Whether points at unit scale are in so few places that what they show is next to nothing beside the way between them:
+ * a surface has a hundred points in a cube of a thousandth of its size only where it has a hundred million of them. */
+bool
+isInFewPlaces(const std::vector<Vector3>& points)
+{
+  constexpr float cubes = 1024.0F; // along the longest side: ten bits, and one for the sign
+  constexpr std::size_t crowded = 100;
+  constexpr std::int64_t offset = 1024;
+  std::vector<std::int64_t> places(points.size());
+  std::transform(points.begin(), points.end(), places.begin(), [](const Vector3& p) {
+    std::int64_t place = 0;
+    for (const float x : p) {
+      place = 2 * offset * place + static_cast<std::int64_t>(std::floor(cubes * x)) + offset;
+    }
+    return place;
+  });
+  sortUnique(places);
+  return points.size() > crowded * places.size();
 }
 
 } // namespace
@@ -69,7 +91,8 @@ dropFarParts(const std::vector<Vector3>& input,
   constexpr double maximum_ratio = 8.0;    // box over median distance from the middle; of one body two to five
   constexpr std::size_t minimum_part = 20; // points; fewer are no part of their own
   if (surface.size() == 0 ||
-      maximum_ratio * median(distancesFromMiddle(surface.points)) >= boundingBox(surface.points).longestSide()) {
+      (maximum_ratio * median(distancesFromMiddle(surface.points)) >= boundingBox(surface.points).longestSide() &&
+       !isInFewPlaces(surface.points))) {
     return;
   }
   const NeighbourLists lists = search(surface.points, parameters.k_search);

@@ -68,6 +68,7 @@ public:
     std::size_t effort = 0;
     std::map<std::pair<Index, std::size_t>, std::vector<Junction>> found;
     for (const OpenSide& side : sides) {
+      heartbeat();
       std::vector<Junction> on_side;
       const Vector3 a = atUnitScale(surface_.points[side.a]);
       const Vector3 b = atUnitScale(surface_.points[side.b]);

@@ -3,6 +3,7 @@
 #include "base/vector_math.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace pcl {
@@ -20,6 +21,8 @@ constexpr int most_looked_at = 1000;
 NearestOfParts::NearestOfParts(const std::vector<Vector3>& points, const std::vector<Index>& part_of, std::size_t parts)
     : points_(points),
       part_of_(part_of),
+      group_of_(parts),
+      farthest_(parts, std::numeric_limits<float>::infinity()),
       ranks_(points.size()),
       entries_(points.size()),
       nodes_(1),
@@ -31,6 +34,8 @@ NearestOfParts::NearestOfParts(const std::vector<Vector3>& points, const std::ve
   for (std::size_t node = 0; node < nodes_.size(); ++node) {
     build(node);
   }
+  std::iota(group_of_.begin(), group_of_.end(), 0);
+  setGroups(group_of_, farthest_);
 }
 
 void
@@ -38,6 +43,33 @@ NearestOfParts::setOrder(const std::vector<Index>& order)
 {
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
     ranks_[order[rank]] = static_cast<Index>(rank);
+  }
+}
+
+void
+NearestOfParts::setGroups(const std::vector<Index>& group_of, const std::vector<float>& farthest)
+{
+  group_of_ = group_of;
+  farthest_ = farthest;
+  std::for_each(nodes_.rbegin(), nodes_.rend(), [this](Node& node) { setGroup(node); }); // children come later
+}
+
+void
+NearestOfParts::setGroup(Node& node) const
+{
+  node.only_group = no_index;
+  node.farthest = 0.0F;
+  if (node.children != 0) {
+    const Node& first = nodes_[node.children];
+    const Node& second = nodes_[node.children + 1];
+    node.only_group = first.only_group == second.only_group ? first.only_group : no_index;
+    node.farthest = std::max(first.farthest, second.farthest);
+    return;
+  }
+  for (std::uint32_t i = node.begin; i < node.end; ++i) {
+    const Index group = group_of_[part_of_[entries_[i]]];
+    node.only_group = i == node.begin || group == node.only_group ? group : no_index;
+    node.farthest = std::max(node.farthest, farthest_[group]);
   }
 }
 
@@ -78,13 +110,13 @@ NearestOfParts::build(std::size_t node)
 }
 
 const std::vector<NearestOfParts::Found>&
-NearestOfParts::search(const Vector3& place, const std::vector<Index>& group_of, Index group, float reach)
+NearestOfParts::search(const Vector3& place, Index group, float reach)
 {
   for (const Found& old : found_) {
     place_in_found_[old.part] = no_index;
   }
   found_.clear();
-  Query query{place, group_of, group, reach};
+  Query query{place, group, reach};
   if (isOfUse(nodes_.front(), query)) {
     visit(nodes_.front(), query);
   }
@@ -97,7 +129,8 @@ bool
 NearestOfParts::isOfUse(Index part, double nearest, const Query& query) const
 {
   const Index known = place_in_found_[part];
-  return query.group_of[part] != query.group &&
+  const Index group = group_of_[part];
+  return group != query.group && nearest <= double{farthest_[group]} &&
          (known == no_index || (found_[known].distance >= nearest && found_[known].looked_at < most_looked_at));
 }
 
@@ -106,8 +139,8 @@ bool
 NearestOfParts::isOfUse(const Node& node, const Query& query) const
 {
   constexpr double rounding = 0.99999;
-  const double nearest = rounding * node.box.distanceTo(query.place);
-  if (nearest > query.reach) {
+  const double nearest = rounding * node.box.straightDistanceTo(query.place);
+  if (nearest > double{std::min(query.reach, node.farthest)} || node.only_group == query.group) {
     return false;
   }
   if (node.only_part != no_index) {
@@ -136,7 +169,7 @@ NearestOfParts::visit(const Node& node, Query& query)
   }
   const Node* near = &nodes_[node.children];
   const Node* far = &nodes_[node.children + 1];
-  if (far->box.distanceTo(query.place) < near->box.distanceTo(query.place)) {
+  if (far->box.straightDistanceTo(query.place) < near->box.straightDistanceTo(query.place)) {
     std::swap(near, far);
   }
   for (const Node* child : {near, far}) {
@@ -150,18 +183,19 @@ void
 NearestOfParts::offer(Index point, Query& query)
 {
   const Index part = part_of_[point];
-  if (query.group_of[part] == query.group) {
+  const Index group = group_of_[part];
+  if (group == query.group) {
     return;
   }
   const float apart = distance(query.place, points_[point]);
-  if (apart > query.reach) {
+  if (apart > query.reach || apart > farthest_[group]) {
     return;
   }
   Index& known = place_in_found_[part];
   if (known == no_index) {
     known = static_cast<Index>(found_.size());
     found_.push_back({part, point, apart, 1});
-    if (found_.size() >= 4 * most_parts) {
+    if (found_.size() >= 2 * most_parts) {
       keepNearest(query);
     }
     return;

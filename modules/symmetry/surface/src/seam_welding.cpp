@@ -40,6 +40,7 @@ closePairs(const OpenCorners& corners)
   std::sort(order.begin(), order.end());
   std::vector<ClosePair> pairs;
   for (std::size_t k = 0; k < order.size(); ++k) {
+    heartbeat();
     const auto [level, i] = order[k];
     const double reach = corners.tolerance(i);
     for (std::size_t l = k + 1; l < std::min(order.size(), k + comparison_limit) && order[l].first <= level + reach;
@@ -73,6 +74,7 @@ weldSeams(PreparedSurface& surface, const std::vector<OpenSide>& sides)
     return members.try_emplace(i, std::vector<Index>{i}).first->second;
   };
   for (const ClosePair& pair : closePairs(corners)) {
+    heartbeat();
     const Index a = welded.find(static_cast<Index>(pair.i));
     const Index b = welded.find(static_cast<Index>(pair.j));
     if (a == b) {

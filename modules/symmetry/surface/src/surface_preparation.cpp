@@ -1,5 +1,6 @@
 #include "symmetry/surface/surface_preparation.h"
 
+#include "base/bounding_box.h"
 #include "base/heartbeat.h"
 #include "base/renumbering.h"
 #include "base/statistics.h"
@@ -56,12 +57,15 @@ keepPointsAndEdges(PreparedSurface& surface, const std::vector<char>& keep)
 }
 
 /** How far points of each part are apart that are neighbours: of a mesh as far as its split sides are, of a cloud the
- * median edge. */
+ * median edge. Faces that fill space have an area of many times that of the box around them: then no more than the width
+ * of a limb, or all would touch. */
 std::vector<float>
 spacingsOfParts(const PreparedSurface& surface, const Components& parts)
 {
   if (!surface.is_cloud) {
-    return std::vector<float>(parts.sizes.size(), evenSpacing(surface, points_of_a_surface));
+    constexpr double limb = 0.1; // of the longest side of all: one part, perhaps a small one, sets the scale so far
+    const auto widest = static_cast<float>(limb * boundingBox(surface.points).longestSide());
+    return std::vector<float>(parts.sizes.size(), std::min(widest, evenSpacing(surface, points_of_a_surface)));
   }
   std::vector<std::vector<float>> lengths(parts.sizes.size());
   for (std::size_t v = 0; v < surface.size(); ++v) {
