@@ -109,6 +109,9 @@ InterpretationPlan::next(const RivalInterpretations& rivals)
     if (stages_.empty() && is_first_) {
       is_first_ = false;
       stages_ = furtherStages(rivals);
+      if (surface_.hasFaces() && !stages_.empty()) {
+        connected_ = usable_;
+      }
       std::reverse(stages_.begin(), stages_.end());
     }
     if (stages_.empty()) {
@@ -116,9 +119,14 @@ InterpretationPlan::next(const RivalInterpretations& rivals)
     }
     const Stage stage = std::move(stages_.back());
     stages_.pop_back();
-    // The staged method takes a mesh as it is, as it was published.
-    const std::size_t points = parameters_.method == Method::Robust ? points_of_a_surface : 0;
-    usable_ = usablePoints(surface_, parameters_, search_, stage.noise, stage.faces, points);
+    if (connected_ && stage.faces == FaceUse::Connection) { // other samples of the same points
+      usable_ = *connected_;
+    }
+    else {
+      // The staged method takes a mesh as it is, as it was published.
+      const std::size_t points = parameters_.method == Method::Robust ? points_of_a_surface : 0;
+      usable_ = usablePoints(surface_, parameters_, search_, stage.noise, stage.faces, points);
+    }
     samples_ = stage.samples;
     contacts_ = contactTests(usable_.surface, parameters_, stage.depths);
     std::reverse(contacts_.begin(), contacts_.end());
