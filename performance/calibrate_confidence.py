@@ -32,7 +32,7 @@ def features(column):
         "curvature": -np.minimum(column("rough_curvature"), 1.5),
         "fixed": -np.clip(column("fixed"), 0.2, 0.35),
         "distorted": -np.maximum(0, column("distorted") - 0.2),
-        "turn": log(np.minimum(column("fit_turn"), 0.15) + 0.005),
+        "turn": log(np.minimum(column("fit_turn"), 0.15) + 0.005) - log(np.maximum(1, column("fit_turn") / 0.15)),
         "average_distance": log(np.minimum(column("average_distance"), 0.18) + 4e-3),
         "involution": log(np.minimum(column("relaxed_involution"), 0.06) + 1e-3),
         "holes": np.clip((column("at_holes") - 0.02) / 0.06, 0, 1),

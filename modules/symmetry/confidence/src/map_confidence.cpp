@@ -83,7 +83,8 @@ mapConfidence(const MapEvidence& evidence)
   return logistic(c.bias + c.stretch * std::log(measures.stretch + c.stretch_floor) +
                   c.worst_distance * std::log(evidence.worst_distance + c.distance_floor) +
                   c.fit_distance * std::log(evidence.fit.distance + c.fit_floor) +
-                  c.turn * std::log(std::min(evidence.fit.turn, c.turn_bound) + c.turn_floor) +
+                  c.turn * (std::log(std::min(evidence.fit.turn, c.turn_bound) + c.turn_floor) -
+                            std::log(std::max(1.0F, evidence.fit.turn / c.turn_bound))) +
                   c.average_distance * std::log(std::min(measures.average_distance, c.average_distance_bound) +
                                                 c.average_distance_floor) +
                   c.involution * std::log(std::min(measures.involution, c.involution_bound) + c.involution_floor) +
