@@ -122,7 +122,9 @@ estimateInto(SymmetryResult& result,
     const float twins = shareOfTwinParts(prepared, estimate.partners);
     result.confidence = std::min({result.confidence, confidenceBound(measured), twins});
   }
-  if (result.confidence < RefusalCalibration{}.uncertain) { // the lowest limit there is
+  const bool has_faces = !prepared.is_cloud || prepared.summary.read_as_cloud; // which tell what is between the points
+  const RefusalCalibration refusal;
+  if (result.confidence < (has_faces ? refusal.several_interpretations : refusal.uncertain)) {
     result.status = SymmetryStatus::NoSymmetry;
     result.message = "the map that fits best tears the surface apart";
     result.confidence *= confidence_of_refused;

@@ -176,6 +176,28 @@ TEST(MapConfidence, AllowsForWhatIsBadlyKnown)
   EXPECT_EQ(at(0.3F), at(0.08F));
 }
 
+TEST(MapConfidence, WhatNormalisesExplainsNoMoreThanOfRightMaps)
+{
+  const MapCalibration bounds;
+  MapEvidence evidence = evidenceOfRightMap();
+  evidence.measures.stretch *= 4.0F; // so that the confidence is not near 1
+  const auto of = [&](float turn, float average_distance, float involution) {
+    evidence.fit.turn = turn;
+    evidence.measures.average_distance = average_distance;
+    evidence.measures.involution = involution;
+    return mapConfidence(evidence);
+  };
+  const float turn = bounds.turn_bound;
+  const float average = bounds.average_distance_bound;
+  const float involution = bounds.involution_bound;
+  const float at_bounds = of(turn, average, involution);
+  EXPECT_LT(of(0.5F * turn, average, involution), at_bounds);
+  EXPECT_LT(of(turn, 0.5F * average, involution), at_bounds);
+  EXPECT_LT(of(turn, average, 0.5F * involution), at_bounds);
+  EXPECT_EQ(of(turn, 3.0F * average, 3.0F * involution), at_bounds);
+  EXPECT_LT(of(2.0F * turn, average, involution), at_bounds) << "normals that fit worse than in any right map";
+}
+
 TEST(MapConfidence, FallsWithWhatStandsStillBeyondAHeadATailAndASeam)
 {
   MapEvidence evidence = evidenceOfRightMap();
