@@ -93,7 +93,7 @@ evidenceOf(const BenchmarkModel& model, const RunOptions& options)
                          row.vertices = vertexEvidence(interpretation, input, score);
                        }
                      }
-                     if (!row.measures.empty()) {
+                     if (!row.measures.empty() && !estimate.landmark_of.empty()) { // a mirror plane has other measures
                        rows.push_back(std::move(row));
                      }
                    });
