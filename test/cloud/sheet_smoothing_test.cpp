@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
 
@@ -40,6 +43,43 @@ TEST(Smoothing, OfSheetsInContactStaysNone)
   EXPECT_EQ(findSmoothing(points, spacing).radius, 0.0F);
   std::vector<Vector3> noisy = noisySquare(4500, 0.0F, 0.3F * spacing, 0.5F, 7);
   EXPECT_GT(findSmoothing(noisy, spacing).radius, 0.0F);
+}
+
+/** A tube of unit length, as thin as five spacings; noise in spacings. */
+std::vector<Vector3>
+thinTube(float spacing, float noise, std::uint32_t seed)
+{
+  constexpr int around = 16;
+  const float radius = 2.5F * spacing;
+  std::mt19937 random(seed);
+  std::vector<Vector3> points;
+  for (int row = 0; static_cast<float>(row) * spacing < 1.0F; ++row) {
+    for (int k = 0; k < around; ++k) {
+      const float angle = 6.2831853F * (static_cast<float>(k) + 0.5F * static_cast<float>(row % 2)) / around;
+      const float r = radius + noise * spacing * bellShaped(random);
+      points.push_back({static_cast<float>(row) * spacing, r * std::cos(angle), r * std::sin(angle)});
+    }
+  }
+  return points;
+}
+
+TEST(Smoothing, TakesNoCurvatureForNoise)
+{
+  constexpr float spacing = 0.01F;
+  EXPECT_EQ(findSmoothing(thinTube(spacing, 0.0F, 1), spacing).radius, 0.0F);
+  EXPECT_GT(findSmoothing(thinTube(spacing, 0.4F, 2), spacing).radius, 0.0F);
+}
+
+TEST(Smoothing, DoesNotHangOnTheOrderOfThePoints)
+{
+  constexpr float spacing = 0.02F;
+  std::vector<Vector3> points = noisySquare(4500, 0.0F, 0.2F * spacing, 0.5F, 8);
+  const bool is_noisy = findSmoothing(points, spacing).radius > 0.0F;
+  std::mt19937 random(9);
+  for (int times = 0; times < 5; ++times) {
+    std::shuffle(points.begin(), points.end(), random);
+    EXPECT_EQ(findSmoothing(points, spacing).radius > 0.0F, is_noisy);
+  }
 }
 
 TEST(Smoothing, WithLeastRadiusFollowsTheDensity)

@@ -76,6 +76,7 @@ const std::vector<Subject> subjects = {
     {"MissingArm", [] { return bent(Body::MissingArm); }, false},
     {"CloudOfAHuman", [] { return pointsOf(bent(Body::Human)); }, true},
     {"CloudOfAQuadruped", [] { return pointsOf(bent(Body::Quadruped)); }, true},
+    {"CloudOfASpider", [] { return pointsOf(bent(Body::Spider)); }, true},
     {"CloudOfABird", [] { return pointsOf(bent(Body::Bird)); }, true},
     {"Helix", [] { return bent(Body::Helix); }, false},
     {"Hills", [] { return bent(Body::Terrain); }, false},
