@@ -175,6 +175,33 @@ TEST(TakeBackSupported, ALimbThatIsSentIntoItselfStaysOut)
             std::count(rest.is_unsupported.begin(), rest.is_unsupported.end(), 1));
 }
 
+TEST(TakeBackSupported, WhatHasAPartnerThatHasNoneStaysOut)
+{
+  const CoarseBody& body = human();
+  const Index extremity = body.landmarks.extremities.front();
+  const std::vector<char> limb = around(body, extremity, 0.2F);
+  SampleEstimate estimate = estimateOf(body);
+  std::vector<char> other(limb.size(), 0);
+  for (std::size_t i = 0; i < limb.size(); ++i) {
+    if (limb[i] != 0) {
+      other[body.trueMap()[i]] = 1;
+    }
+  }
+  Support support;
+  support.is_unsupported = limb;
+  for (std::size_t i = 0; i < limb.size(); ++i) {
+    if (other[i] != 0) { // the other limb is sent into itself
+      support.is_unsupported[i] = 1;
+      estimate.landmark_map[i] = static_cast<Index>(i);
+      estimate.partners[i] = body.coarse.cells.vertices[i];
+    }
+  }
+  support.is_disturbed = support.is_unsupported;
+  std::vector<float> changes(limb.size(), 1.0F);
+  const Support rest = takeBackSupported(body.sampled(), estimate, support, {}, changes);
+  EXPECT_EQ(rest.is_unsupported[extremity], 1) << "its partner is on a limb that is not supported";
+}
+
 TEST(TakeBackSupported, AFlatPartDisturbsNothingAroundIt)
 {
   const CoarseBody& body = human();
