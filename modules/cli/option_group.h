@@ -103,9 +103,9 @@ public:
   }
 
   /** \brief One of the names of a table. */
-  template <typename Target, typename Enum, std::size_t size>
+  template <typename Target, typename Enum, std::size_t Size>
   void
-  choice(const char* option, Target& target, const EnumName<Enum> (&table)[size], const char* help)
+  choice(const char* option, Target& target, const EnumName<Enum> (&table)[Size], const char* help)
   {
     std::string value_text = "NAME";
     if constexpr (std::is_same_v<Target, Enum>)

@@ -46,9 +46,9 @@ constexpr EnumName<SymmetryStatus> status_names[] = {{SymmetryStatus::Symmetric,
                                                      {SymmetryStatus::Cancelled, "cancelled"}};
 
 /** \brief Name of a value; "unknown" where the table has none. */
-template <typename Enum, std::size_t count>
+template <typename Enum, std::size_t Count>
 constexpr const char*
-nameOf(const EnumName<Enum> (&table)[count], Enum value)
+nameOf(const EnumName<Enum> (&table)[Count], Enum value)
 {
   for (const EnumName<Enum>& entry : table) {
     if (entry.value == value) {
@@ -59,9 +59,9 @@ nameOf(const EnumName<Enum> (&table)[count], Enum value)
 }
 
 /** \brief The value of this name, in exactly these letters; nothing where the table has no such name. */
-template <typename Enum, std::size_t count>
+template <typename Enum, std::size_t Count>
 std::optional<Enum>
-valueOf(const EnumName<Enum> (&table)[count], std::string_view name)
+valueOf(const EnumName<Enum> (&table)[Count], std::string_view name)
 {
   for (const EnumName<Enum>& entry : table) {
     if (name == entry.name) {
@@ -72,9 +72,9 @@ valueOf(const EnumName<Enum> (&table)[count], std::string_view name)
 }
 
 /** \brief All names of a table for a person: "agd or mgd or size". */
-template <typename Enum, std::size_t count>
+template <typename Enum, std::size_t Count>
 std::string
-allNames(const EnumName<Enum> (&table)[count])
+allNames(const EnumName<Enum> (&table)[Count])
 {
   std::string names;
   for (const EnumName<Enum>& entry : table) {
