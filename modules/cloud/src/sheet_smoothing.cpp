@@ -261,7 +261,8 @@ findSmoothing(const std::vector<Vector3>& points, float spacing)
     return best;
   }
   float flattest = std::numeric_limits<float>::infinity();
-  for (float radius = first_radius; radius < settings.maximum_radius; radius *= settings.radius_step) {
+  float radius = first_radius;
+  while (radius < settings.maximum_radius) {
     const float thickness = median(relativeThickness(points, radius, settings.thickness_probes));
     if (thickness < flattest) {
       flattest = thickness;
@@ -269,6 +270,7 @@ findSmoothing(const std::vector<Vector3>& points, float spacing)
       best = {smoothing_radius, smoothing_radius, settings.width_of_thickness * thickness * radius,
               radius / settings.spacings_per_radius};
     }
+    radius *= settings.radius_step;
   }
   return best;
 }

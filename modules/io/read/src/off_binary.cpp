@@ -95,7 +95,7 @@ private:
     if (!header_.homogeneous)
       return;
     for (std::size_t point = 0; point < count; ++point) {
-      const double divisor = double{loadScalar<float>(first + point * stride + 3 * word_bytes, true)};
+      const auto divisor = double{loadScalar<float>(first + point * stride + 3 * word_bytes, true)};
       for (std::size_t i = 0; i < 3; ++i)
         surface_.points[point][i] = static_cast<float>(double{surface_.points[point][i]} / divisor - origin_[i]);
     }
