@@ -22,8 +22,8 @@ struct SupportSettings {
   /** Extent of a part over the side of a square of its area from which on it stands out like a limb: 0.56 of a flat
    * disc, 0.63 of a hemisphere, less of a band along which a map is torn; 1 of a tube of three diameters. */
   float outstanding = 1.0F;
-  float rim =
-      0.06F; ///< share of the diameter: what lies as near to a part that stands out as the smallest patches reach
+  /** Share of the diameter within which a part that stands out disturbs: as far as the smallest patches reach. */
+  float rim = RefinementSettings{}.patches.back().radius;
 };
 
 /** \brief The parts without a counterpart: one entry per landmark. */

@@ -66,17 +66,17 @@ MapJudge::chooseContender(std::vector<Contender>& contenders, MapEvidence& evide
 /** Which parts have no counterpart, and how far the map of the rest can be trusted.
  *
  * They are left out where that raises the odds of the map tenfold: strong evidence (H. Jeffreys, Theory of
- * probability, 1961). */
+ * probability, 1961); and where the rest is more likely right than not. */
 void
 MapJudge::judgeSupport(const Contender& contender,
                        const MapEvidence& evidence,
                        float confidence,
                        MapEstimate& estimate) const
 {
-  std::vector<float> changes = evidence.local_changes;
   constexpr float strong = 10.0F;
   constexpr float largest_share = 0.5F; // where more is left out, the rest is not what the surface is
   const SupportSettings settings;
+  std::vector<float> changes = evidence.local_changes;
   Support support = findSupport(sampled_, contender.samples, changes, settings);
   estimate.supported_confidence = confidence;
   if (support.unsupported_share > 0.0F) {
@@ -94,8 +94,8 @@ MapJudge::judgeSupport(const Contender& contender,
                         of_rest >= RefusalCalibration{}.partial &&
                         odds(estimate.supported_confidence) >= strong * odds(confidence);
   estimate.trust = estimate.is_partial ? of_rest : confidence;
-  estimate.measures.push_back({"unsupported_share", estimate.unsupported_share});
-  estimate.measures.push_back({"supported_confidence", estimate.supported_confidence});
+  estimate.measures.emplace_back("unsupported_share", estimate.unsupported_share);
+  estimate.measures.emplace_back("supported_confidence", estimate.supported_confidence);
   estimate.landmark_evidence = pointEvidence(sampled_, contender.samples, changes);
   std::vector<float> at_samples(sampled_.coarse.size());
   for (std::size_t i = 0; i < at_samples.size(); ++i) {
