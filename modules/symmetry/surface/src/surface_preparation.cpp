@@ -65,7 +65,8 @@ spacingsOfParts(const PreparedSurface& surface, const Components& parts)
   if (!surface.is_cloud) {
     constexpr double limb = 0.1; // of the longest side of all: one part, perhaps a small one, sets the scale so far
     const auto widest = static_cast<float>(limb * boundingBox(surface.points).longestSide());
-    return std::vector<float>(parts.sizes.size(), std::min(widest, evenSpacing(surface, points_of_a_surface)));
+    std::vector<float> even(parts.sizes.size(), std::min(widest, evenSpacing(surface, points_of_a_surface)));
+    return even;
   }
   std::vector<std::vector<float>> lengths(parts.sizes.size());
   for (std::size_t v = 0; v < surface.size(); ++v) {
