@@ -51,7 +51,7 @@ private:
   void
   visitNode(const Node& node, double distance, const Vector3& place, Reach& reach, Visit& visit) const
   {
-    constexpr double rounding = 0.99999;
+    constexpr double rounding = 0.99999; // of floats, a hundred times over: nothing is left out for it
     if (rounding * distance > double{reach(node.radius)}) {
       return;
     }

@@ -1,5 +1,6 @@
 #include "cloud/ball_tree.h"
 
+#include "base/median_split.h"
 #include "base/vector_math.h"
 
 #include <algorithm>
@@ -35,12 +36,7 @@ BallTree::build(std::size_t node, const std::vector<Vector3>& centres, const std
   if (end - begin <= most_balls) {
     return;
   }
-  const Vector3 sides = box.high - box.low;
-  const auto axis = static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin());
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(balls_.begin() + begin, balls_.begin() + middle, balls_.begin() + end, [&](Index a, Index b) {
-    return centres[a][axis] < centres[b][axis] || (centres[a][axis] == centres[b][axis] && a < b);
-  });
+  const std::uint32_t middle = splitAtMedian(centres, box, begin, end, balls_);
   nodes_[node].children = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
   nodes_.back().begin = begin;

@@ -1,5 +1,6 @@
 #include "symmetry/surface/nearest_of_parts.h"
 
+#include "base/median_split.h"
 #include "base/vector_math.h"
 
 #include <algorithm>
@@ -94,12 +95,7 @@ NearestOfParts::build(std::size_t node)
   if (end - begin <= most_entries) {
     return;
   }
-  const Vector3 sides = box.high - box.low;
-  const auto axis = static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin());
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(entries_.begin() + begin, entries_.begin() + middle, entries_.begin() + end, [&](Index a, Index b) {
-    return points_[a][axis] < points_[b][axis] || (points_[a][axis] == points_[b][axis] && a < b);
-  });
+  const std::uint32_t middle = splitAtMedian(points_, box, begin, end, entries_);
   nodes_[node].children = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
   nodes_.back().begin = begin;
@@ -138,7 +134,7 @@ NearestOfParts::isOfUse(Index part, double nearest, const Query& query) const
 bool
 NearestOfParts::isOfUse(const Node& node, const Query& query) const
 {
-  constexpr double rounding = 0.99999;
+  constexpr double rounding = 0.99999; // of floats, a hundred times over: nothing is left out for it
   const double nearest = rounding * node.box.straightDistanceTo(query.place);
   if (nearest > double{std::min(query.reach, node.farthest)} || node.only_group == query.group) {
     return false;
