@@ -4,10 +4,13 @@
 usage: axis_accuracy.py BIN [FOLDER ...] [--as-cloud] [-- OPTIONS]
 
 BIN     folder with pcl_intrinsic_symmetry and pcl_symmetry_model
-FOLDER  with MODEL.off and MODEL_side.txt: per vertex 1 or 2 for the side, 3 on the axis. Without any: generated bodies
+FOLDER  with MODEL.off and MODEL_side.txt: per vertex 1 or 2 for the side, 3 on the axis; or with MODEL.off or MODEL.obj
+        and MODEL.json: {"planes": [[nx, ny, nz, d], ...]}, mirror planes, of which the nearest to the curve is the true
+        one. Without any: generated bodies
 OPTIONS of pcl_intrinsic_symmetry
 
-The true curve: edges between vertices on the axis, and the middles of edges from one side to the other. All figures are
+The true curve: edges between vertices on the axis, and the middles of edges from one side to the other, or where edges
+cross the plane. All figures are
 shares of the surface's diameter, in %: the mean over the places of the curve of the distance from the true one, that of
 the places of the true one from the curve, and the largest of either (Hausdorff). Straight lines, which near the curve are
 as long as those over the surface.
@@ -39,6 +42,22 @@ def read_off(path):
     return places, corners
 
 
+def read_obj(path):
+    places, corners = [], []
+    with open(path) as file:
+        for words in map(str.split, file):
+            if words[:1] == ["v"]:
+                places.append(tuple(map(float, words[1:4])))
+            elif words[:1] == ["f"]:
+                numbers = [int(word.split("/")[0]) for word in words[1:]]
+                corners.append(tuple(n - 1 if n > 0 else len(places) + n for n in numbers))
+    return places, corners
+
+
+def read_mesh(path):
+    return read_obj(path) if path.endswith(".obj") else read_off(path)
+
+
 def sides_by_file(path):
     with open(path) as file:
         return [int(word) for word in file.read().split()]
@@ -61,10 +80,24 @@ def true_places(places, corners, sides, step):
     found = []
     for a, b in {tuple(sorted((f[k - 1], f[k]))) for f in corners for k in range(len(f))}:
         if sides[a] == 3 and sides[b] == 3:
-            count = max(1, math.ceil(math.dist(places[a], places[b]) / step))
-            found += [tuple(p + (q - p) * k / count for p, q in zip(places[a], places[b])) for k in range(count + 1)]
+            found += between(places[a], places[b], step)
         elif {sides[a], sides[b]} == {1, 2}:
             found.append(tuple((p + q) / 2 for p, q in zip(places[a], places[b])))
+    return found
+
+
+def heights(places, plane):
+    return [sum(n * x for n, x in zip(plane, place)) - plane[3] for place in places]
+
+
+def places_in_plane(places, corners, plane):
+    """Where edges cross a plane."""
+    over = heights(places, plane)
+    found = []
+    for a, b in {tuple(sorted((f[k - 1], f[k]))) for f in corners for k in range(len(f))}:
+        if over[a] * over[b] < 0.0:
+            share = over[a] / (over[a] - over[b])
+            found.append(tuple(p + share * (q - p) for p, q in zip(places[a], places[b])))
     return found
 
 
@@ -72,29 +105,47 @@ def to_nearest(queries, places):
     return [min(math.dist(q, p) for p in places) for q in queries]
 
 
-def found_curves(path):
+def between(p, q, step):
+    """From one place to the other, no farther apart than a step."""
+    count = max(1, math.ceil(math.dist(p, q) / step))
+    return [tuple(a + (b - a) * k / count for a, b in zip(p, q)) for k in range(count + 1)]
+
+
+def found_curves(path, step):
     """Places of each curve, with those between them, and whether it is closed."""
     curves = {}
     with open(path) as file:
         for row in csv.DictReader(file):
             place = tuple(float(row[k]) for k in "xyz")
             curves.setdefault(row["curve"], ([], row["closed"] == "1"))[0].append(place)
-    return list(curves.values())
+    filled = []
+    for line, closed in curves.values():
+        ends = line[1:] + line[:1] if closed else line[1:]
+        filled.append(([place for p, q in zip(line, ends) for place in between(p, q, step)], closed))
+    return filled
 
 
-def measure(program, model, sides, options, folder):
-    """Nothing where no symmetry was found."""
+def measure(program, model, truth, options, folder):
+    """Nothing where no curve was found."""
     axis, report = os.path.join(folder, "axis.csv"), os.path.join(folder, "report.json")
     run = subprocess.run([program, model, "--axis", axis, "--report", report, "--quiet", *options], check=False)
     if run.returncode != 0:
         return None
     with open(report) as file:
         diameter = json.load(file)["diameter"]
-    places, corners = read_off(model)
-    true = true_places(places, corners, sides, 0.002 * diameter)
-    curves = found_curves(axis)
+    places, corners = read_mesh(model)
+    step = 0.002 * diameter
+    curves = found_curves(axis, 2.0 * step)
     curve = [place for line, _ in curves for place in line]
-    there, back = to_nearest(curve, true), to_nearest(true, curve)
+    if not curve:
+        return None
+    if isinstance(truth, dict):
+        candidates = [(list(map(abs, heights(curve, plane))), plane) for plane in truth["planes"]]
+        there, plane = min(candidates, key=lambda candidate: statistics.fmean(candidate[0]))
+        back = to_nearest(places_in_plane(places, corners, plane), curve)
+    else:
+        true = true_places(places, corners, truth, step)
+        there, back = to_nearest(curve, true), to_nearest(true, curve)
     share = 100.0 / diameter
     return [share * statistics.fmean(there), share * statistics.fmean(back), share * max(there + back), len(curves),
             sum(1 for _, closed in curves if not closed)]
@@ -113,9 +164,12 @@ def generated(bin_folder, folder):
 def given(folders):
     for folder in folders:
         for name in sorted(os.listdir(folder)):
-            truth = os.path.join(folder, name.replace(".off", "_side.txt"))
-            if name.endswith(".off") and os.path.exists(truth):
-                yield name[:-4], os.path.join(folder, name), sides_by_file(truth)
+            stem, kind = os.path.splitext(os.path.join(folder, name))
+            if kind in (".off", ".obj") and os.path.exists(stem + "_side.txt"):
+                yield os.path.basename(stem), stem + kind, sides_by_file(stem + "_side.txt")
+            elif kind in (".off", ".obj") and os.path.exists(stem + ".json"):
+                with open(stem + ".json") as file:
+                    yield os.path.basename(stem), stem + kind, json.load(file)
 
 
 def main():
@@ -134,7 +188,7 @@ def main():
         for name, model, sides in given(words[1:]) if words[1:] else generated(words[0], folder):
             row = measure(program, model, sides, options, folder)
             if row is None:
-                print(f"{name:24} no symmetry found", flush=True)
+                print(f"{name:24} no curve found", flush=True)
                 continue
             rows.append(row)
             print(f"{name:24} {row[0]:6.2f} {row[1]:6.2f} {row[2]:9.2f} {row[3]:6d} {row[4]:4d}", flush=True)

@@ -24,6 +24,17 @@ localDelaunayTriangles(const std::vector<Vector3>& points,
                        const std::vector<Vector3>& normals,
                        const SurfaceGraph& graph);
 
+/** \brief Triangles around some of the points, of which no two lie on the same side of an edge.
+ *
+ * Where four points lie on a circle, as on a lattice, their fans need not agree on a diagonal: triangles that several
+ * corners propose come first, then those of shorter sides, and those whose place is taken are left out. Cost O(n k^2).
+ * \param[in] around points whose fans are used */
+std::vector<Triangle>
+conformingTriangles(const std::vector<Vector3>& points,
+                    const std::vector<Vector3>& normals,
+                    const SurfaceGraph& graph,
+                    const std::vector<Index>& around);
+
 /** \brief Discrete Laplacian of a cloud of evenly spread samples. */
 struct FanLaplacian {
   std::vector<float> conductances; ///< per edge of the graph, the same both ways, not negative

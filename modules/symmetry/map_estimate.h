@@ -33,6 +33,7 @@ struct MapEstimate {
   std::vector<Index> partners;                  ///< empty where the staged method was asked for sparse matches only
   std::vector<float> confidences;               ///< per point, in [0, 1]
   std::vector<float> side_function; ///< positive on the source side, negative on the target side, 0 undecided
+  bool are_sides_exact = false;     ///< heights over a plane: nothing in the side function is noise
   std::vector<Region> regions;
   std::vector<SymmetricMatch> matches;
   std::vector<Index> extremities;

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <numeric>
+
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
 
@@ -246,6 +249,42 @@ TEST(LocalDelaunayTriangles, CoverTheSphereOnceFacingOutwards)
   EXPECT_EQ(std::adjacent_find(triangles.begin(), triangles.end()), triangles.end());
   EXPECT_EQ(withThreads(3, [&] { return localDelaunayTriangles(sampling.points, sampling.normals, sampling.graph); }),
             triangles);
+}
+
+TEST(ConformingTriangles, CoverALatticeOnce)
+{
+  constexpr int size = 12;
+  std::vector<Vector3> lattice;
+  std::vector<Index> all;
+  for (int i = 0; i < size * size; ++i) {
+    lattice.push_back({static_cast<float>(i % size), static_cast<float>(i / size), 0.0F});
+    all.push_back(i);
+  }
+  const Sampling sampling = inPlane(lattice, 8);
+  EXPECT_TRUE(localDelaunayTriangles(sampling.points, sampling.normals, sampling.graph).size() <
+              static_cast<std::size_t>(size * size))
+      << "fans that agree would be enough";
+  const std::vector<Triangle> triangles = conformingTriangles(sampling.points, sampling.normals, sampling.graph, all);
+  EXPECT_EQ(triangles.size(), 2U * (size - 1) * (size - 1));
+  EXPECT_NEAR(area(sampling.points, triangles), (size - 1.0) * (size - 1.0), 1e-3);
+}
+
+TEST(ConformingTriangles, ShareNoSideButFromItsTwoSides)
+{
+  const Sampling sampling = onSphere(2500, 0.4F);
+  std::vector<Index> all(sampling.points.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::map<std::pair<Index, Index>, int> sides;
+  const std::vector<Triangle> triangles = conformingTriangles(sampling.points, sampling.normals, sampling.graph, all);
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      ++sides[std::minmax(t[k], t[(k + 1) % 3])];
+    }
+  }
+  for (const auto& [side, count] : sides) {
+    ASSERT_LE(count, 2);
+  }
+  EXPECT_NEAR(area(sampling.points, triangles) / (4.0 * pi * 0.16), 1.0, 0.02);
 }
 
 TEST(LocalDelaunayTriangles, HaveNoPointInTheirCircles)

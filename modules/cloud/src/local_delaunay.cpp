@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace pcl {
 namespace symmetry {
@@ -128,7 +130,111 @@ keepAgreed(std::vector<Triangle> proposed)
   return agreed;
 }
 
+/** A triangle, how many of its corners propose it, and its longest side. */
+struct Candidate {
+  Triangle corners;
+  int votes;
+  float longest;
+};
+
+/** Each once, the most agreed on first. */
+std::vector<Candidate>
+byAgreement(std::vector<Triangle> proposed, const std::vector<Vector3>& points)
+{
+  std::sort(proposed.begin(), proposed.end());
+  std::vector<Candidate> candidates;
+  for (const Triangle& t : proposed) {
+    if (!candidates.empty() && candidates.back().corners == t) {
+      ++candidates.back().votes;
+      continue;
+    }
+    float longest = 0.0F;
+    for (std::size_t k = 0; k < 3; ++k) {
+      longest = std::max(longest, distance(points[t[k]], points[t[(k + 1) % 3]]));
+    }
+    candidates.push_back({t, 1, longest});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return a.votes != b.votes ? a.votes > b.votes : a.longest < b.longest;
+  });
+  return candidates;
+}
+
+/** Triangles that share no side but from its two sides. */
+class ConformingSet {
+public:
+  explicit ConformingSet(const std::vector<Vector3>& points) : points_(points)
+  {
+  }
+
+  void
+  addWhereFree(const Triangle& t)
+  {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!isFree(t[k], t[(k + 1) % 3], t[(k + 2) % 3])) {
+        return;
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      opposite_[edge(t[k], t[(k + 1) % 3])].push_back(t[(k + 2) % 3]);
+    }
+    triangles_.push_back(t);
+  }
+
+  std::vector<Triangle>
+  take()
+  {
+    return std::move(triangles_);
+  }
+
+private:
+  static std::pair<Index, Index>
+  edge(Index a, Index b)
+  {
+    return std::minmax(a, b);
+  }
+
+  bool
+  isFree(Index a, Index b, Index c) const
+  {
+    const auto found = opposite_.find(edge(a, b));
+    if (found == opposite_.end()) {
+      return true;
+    }
+    const Vector3 along = points_[b] - points_[a];
+    const auto is_aside = [&](Index d) {
+      return dot(cross(along, points_[c] - points_[a]), cross(along, points_[d] - points_[a])) > 0.0F;
+    };
+    return found->second.size() < 2 && std::none_of(found->second.begin(), found->second.end(), is_aside);
+  }
+
+  const std::vector<Vector3>& points_;
+  std::map<std::pair<Index, Index>, std::vector<Index>> opposite_; ///< third corners at each side
+  std::vector<Triangle> triangles_;
+};
+
 } // namespace
+
+std::vector<Triangle>
+conformingTriangles(const std::vector<Vector3>& points,
+                    const std::vector<Vector3>& normals,
+                    const SurfaceGraph& graph,
+                    const std::vector<Index>& around)
+{
+  std::vector<Triangle> proposed;
+  for (const Index v : around) {
+    std::vector<PlanePoint> ring = projectNeighbours(points, normals[v], graph, static_cast<std::size_t>(v));
+    keepDelaunayNeighbours(ring);
+    visitFan(ring, [&](const PlanePoint& a, const PlanePoint& b) {
+      proposed.push_back(lowestFirst({v, a.point, b.point}));
+    });
+  }
+  ConformingSet set(points);
+  for (const Candidate& candidate : byAgreement(std::move(proposed), points)) {
+    set.addWhereFree(candidate.corners);
+  }
+  return set.take();
+}
 
 std::vector<Triangle>
 localDelaunayTriangles(const std::vector<Vector3>& points,

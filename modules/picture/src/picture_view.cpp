@@ -74,10 +74,16 @@ principalDirections(const Scene& scene)
   return directions;
 }
 
-/** \brief Mean direction from the source side to the target side; zero where there are no pairs. */
+/** \brief Direction from the source side to the target side: that of the plane which fits the map best, or without one
+ * the mean of all pairs; zero where there are none. */
 Vector3
-lateralDirection(const Surface& surface, const std::vector<PartnerPair>& pairs)
+lateralDirection(const Surface& surface, const SymmetryResult& result, const std::vector<PartnerPair>& pairs)
 {
+  const std::array<double, 3>& normal = result.plane.normal;
+  const Vector3 across{-static_cast<float>(normal[0]), -static_cast<float>(normal[1]), -static_cast<float>(normal[2])};
+  if (!pairs.empty() && norm(across) > 0.0F) {
+    return across;
+  }
   std::array<double, 3> sum = {0.0, 0.0, 0.0};
   for (const PartnerPair& pair : pairs) {
     const Vector3 offset = at(surface, pair.target) - at(surface, pair.source);
@@ -157,6 +163,23 @@ rateView(const Scene& scene, const PictureView& view, bool has_sides)
   return more > 0.0 ? area * std::sqrt(less / more) : 0.0;
 }
 
+/** \brief Evenly spread directions at right angles to one: from there both sides are seen alike, and an axis that lies in
+ * the plane between them is a straight line. */
+std::vector<Vector3>
+halfCircle(const Vector3& direction)
+{
+  constexpr int directions_around = 60; // 3 degrees apart
+  const Vector3 other = std::abs(direction[0]) < 0.7F ? Vector3{1.0F, 0.0F, 0.0F} : Vector3{0.0F, 1.0F, 0.0F};
+  const Vector3 first = normalized(cross(direction, other));
+  const Vector3 second = cross(direction, first);
+  std::vector<Vector3> directions;
+  for (int i = 0; i < directions_around; ++i) {
+    const double angle = std::acos(-1.0) * i / directions_around;
+    directions.push_back(static_cast<float>(std::cos(angle)) * first + static_cast<float>(std::sin(angle)) * second);
+  }
+  return directions;
+}
+
 /** \brief Evenly spread directions of a half sphere (Fibonacci lattice). */
 std::vector<Vector3>
 halfSphere()
@@ -201,14 +224,19 @@ bestOf(const Scene& scene, const std::vector<PictureView>& views, bool has_sides
   return best;
 }
 
-/** \brief Views at the height of the surface, from the front and from some way to its sides. */
+/** \brief Views at the height of the surface, from the front and, of what is deeper than wide, from some way to its sides:
+ * an axis in the plane between the sides is a straight line from the front only. */
 std::vector<PictureView>
 viewsAround(const Scene& scene, const Vector3& upright, const Vector3& level)
 {
   constexpr std::array<float, 7> angles = {0.0F, 0.3F, -0.3F, 0.6F, -0.6F, 0.9F, -0.9F};
   const Vector3 front = cross(level, upright);
+  const bool is_deep = extentAlong(scene, front) > extentAlong(scene, level);
   std::vector<PictureView> views;
   for (const float angle : angles) {
+    if (angle != 0.0F && !is_deep) {
+      break; // the front comes first
+    }
     PictureView view;
     view.up = upright;
     view.toward = std::cos(angle) * front + std::sin(angle) * level;
@@ -288,7 +316,7 @@ chooseView(const Surface& surface, const SymmetryResult& result, const std::vect
 {
   const Scene scene = makeScene(surface, result);
   const std::array<Vector3, 3> principal = principalDirections(scene);
-  const Vector3 lateral = lateralDirection(surface, pairs);
+  const Vector3 lateral = lateralDirection(surface, result, pairs);
   const bool has_pairs = norm(lateral) > 0.0F;
   const Vector3 level = has_pairs ? lateral : principal[1];
 
@@ -298,8 +326,10 @@ chooseView(const Surface& surface, const SymmetryResult& result, const std::vect
     fitView(surface.points, view);
     return view;
   }
-  std::vector<Vector3> directions = halfSphere();
-  directions.insert(directions.begin(), principal.begin(), principal.end());
+  std::vector<Vector3> directions = has_pairs ? halfCircle(level) : halfSphere();
+  if (!has_pairs) {
+    directions.insert(directions.begin(), principal.begin(), principal.end());
+  }
   std::vector<PictureView> views;
   for (const Vector3& direction : directions)
     views.push_back(makeView(scene, direction, level));

@@ -1,5 +1,5 @@
 /** \file
- * \brief Zero line of a vertex function on a mesh.
+ * \brief Zero line of a vertex function on triangles.
  */
 #pragma once
 
@@ -23,6 +23,10 @@ struct ZeroCrossing {
     return share <= 0.5F ? from : to;
   }
 };
+
+/** \brief The place of a crossing. */
+Vector3
+placeOf(const ZeroCrossing& crossing, const std::vector<Vector3>& points);
 
 /** \brief The crossing of the edge between two vertices at which a function has different signs. */
 ZeroCrossing

@@ -55,19 +55,11 @@ struct AxisSmoothingSettings {
   double thinnest = 1e3; ///< longest side of a triangle over its height, above which it is a sliver
 };
 
-/** \brief Polylines of the axis, see axis_curve.h, curve_thinning.h and curve_points.h.
- *
- * Radii are in mean lengths of the links between crossings of a cloud, about an edge of it. A tube around a path that is
- * not quite in the middle has to cover the whole width of the band of crossings, which is less than an edge; the free
- * ball around an end has to be larger than the tube.
- */
+/** \brief Polylines of the axis, see axis_curve.h and curve_points.h. */
 struct AxisSettings {
   float shortest_share = 0.05F;    ///< of the longest line, below which one is left out
   std::ptrdiff_t longest_loop = 8; ///< points of a loop that is straightened out
-  float tube_radius = 1.5F;        ///< above 1
-  float end_radius = 3.0F;         ///< above the radius of the tube
-  float link = 1.0F;               ///< between crossings that share no point, in lengths of their edges
-  std::size_t maximum_curves = 32; ///< what is left by then are crumbs
+  std::size_t most_stretches = 32; ///< of a cloud, that are joined: each pair of ends is a question
   float coincidence = 0.1F;        ///< of an edge, below which two crossings are one place
   /** Taubin's two steps: what they let through undamped is longer than 30 places. */
   float fairing = 0.5F;

@@ -24,17 +24,22 @@ namespace symmetry {
 std::vector<float>
 sideFunction(const DistanceFields& source_fields, const DistanceFields& target_fields);
 
-/** \brief The side function with the sign of isolated specks turned.
+/** \brief The side function without zeros: they take the sign of most of their neighbours, the source side where they are
+ * as many. It is the sign that labels a vertex and that the axis runs between.
+ */
+std::vector<float>
+withoutZeros(const SurfaceGraph& graph, const std::vector<float>& side_function);
+
+/** \brief The side function without zeros and with the sign of isolated specks turned.
  *
  * A speck is a connected patch of one sign that holds less than 2 % of the vertices and is not the largest patch of its
- * sign. Zeros take the sign of most of their neighbours, so that no value of the result is zero: it is its sign that
- * labels a vertex and that the axis runs between.
+ * sign.
  */
 std::vector<float>
 absorbSpecks(const SurfaceGraph& graph, const std::vector<float>& side_function);
 
 /** \brief Source or target by the sign of the side function.
- * \param[in] side_function as absorbSpecks () returns it: no value is zero
+ * \param[in] side_function no value is zero
  */
 std::vector<Side>
 labelSides(const std::vector<float>& side_function);
@@ -43,7 +48,7 @@ labelSides(const std::vector<float>& side_function);
  *
  * Of every edge from one side to the other the end with the smaller value is on the axis. So are the partners of such
  * points, and points whose partners are, as long as they have a neighbour on the other side.
- * \param[in] side_function as absorbSpecks () returns it
+ * \param[in] side_function no value is zero
  * \param[in] partners one per point, -1 where there is none; may be empty
  * \param[in,out] sides as labelSides () returns them
  */

@@ -183,6 +183,7 @@ estimateByMirror(const SampledSurface& sampled,
   }
   estimate.partners = std::move(map.partners);
   estimate.side_function = sidesOfPlane(sampled.surface, best.plane);
+  estimate.are_sides_exact = true;
   describeMap(sampled, estimate);
   estimate.equal_reflections = haveEqualFits(planes) ? countEqualFits(planes) : 0;
   if (parameters.alternatives > 1 && !parameters.sparse_only) {

@@ -130,12 +130,21 @@ deliverMap(const MapEstimate& estimate, const PreparedSurface& prepared, bool is
   deliverAlternatives(estimate.rotations, to_input, result.rotations);
 }
 
+/** What a map of points says of the sides is as coarse as the points and has specks; a plane says it exactly. */
+std::vector<float>
+cleanSideFunction(const MapEstimate& estimate, const PreparedSurface& prepared)
+{
+  const SurfaceGraph& graph = prepared.graph;
+  return estimate.are_sides_exact
+             ? withoutZeros(graph, estimate.side_function)
+             : absorbSpecks(graph, smoothedNearAxis(prepared, absorbSpecks(graph, estimate.side_function)));
+}
+
 void
 deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, bool label_axis, SymmetryResult& result)
 {
   const ToInput to_input(prepared);
-  const std::vector<float> side_function =
-      absorbSpecks(prepared.graph, smoothedNearAxis(prepared, absorbSpecks(prepared.graph, estimate.side_function)));
+  const std::vector<float> side_function = cleanSideFunction(estimate, prepared);
   std::vector<Side> sides = labelSides(side_function);
   if (!estimate.partners.empty()) {
     result.plane =
@@ -146,7 +155,8 @@ deliverSides(const MapEstimate& estimate, const PreparedSurface& prepared, bool 
   }
   to_input.scatter(sides, result.sides);
   const bool is_partial = estimate.status == SymmetryStatus::PartlySymmetric;
-  result.axis = traceAxis(prepared, side_function, is_partial ? estimate.is_unsupported : std::vector<char>{});
+  result.axis = traceAxis(prepared, side_function, is_partial ? estimate.is_unsupported : std::vector<char>{},
+                          estimate.are_sides_exact);
   for (Polyline& line : result.axis) {
     line.points = to_input.renumbered(std::move(line.points));
     // Places between points are told of the nearest ones: several of the same.

@@ -1,3 +1,4 @@
+#include "base/statistics.h"
 #include "base/vector_math.h"
 #include "geodesic/neighbour_graph.h"
 #include "support/prepared.h"
@@ -51,16 +52,19 @@ length(const Polyline& line)
          (line.closed ? distance(line.curve.back().position, line.curve.front().position) : 0.0F);
 }
 
-/** What holds for every axis without gaps: neighbours follow each other, none twice, longest first; directions are at
- * right angles, across points to the source side. */
+/** What holds for every axis: neighbours follow each other, or on a cloud points two edges apart, where a triangle is
+ * missing; none twice, longest first; directions are at right angles, across points to the source side. */
 void
 expectWellFormed(const PreparedSurface& surface, const std::vector<Polyline>& axis)
 {
+  const float longest_gap = surface.is_cloud ? 2.0F * median(surface.graph.lengths) : 0.0F;
   for (std::size_t i = 0; i < axis.size(); ++i) {
     const std::vector<Index>& points = axis[i].points;
     for (std::size_t k = axis[i].closed ? 0 : 1; k < points.size(); ++k) {
       const Index before = points[(k + points.size() - 1) % points.size()];
-      EXPECT_TRUE(areNeighbours(surface.graph, before, points[k])) << "a step that is no edge";
+      EXPECT_TRUE(areNeighbours(surface.graph, before, points[k]) ||
+                  distance(surface.points[before], surface.points[points[k]]) <= longest_gap)
+          << "a step that is no edge";
     }
     EXPECT_EQ(std::set<Index>(points.begin(), points.end()).size(), points.size()) << "a vertex twice";
     for (const AxisPoint& place : axis[i].curve) {
@@ -84,7 +88,7 @@ trace(PreparedSurface surface, const std::vector<float>& values)
 {
   Traced traced;
   const std::vector<float> side_function = absorbSpecks(surface.graph, values);
-  traced.axis = traceAxis(surface, side_function, {});
+  traced.axis = traceAxis(surface, side_function, {}, false);
   traced.surface = std::move(surface);
   return traced;
 }
@@ -112,7 +116,7 @@ traceMesh(const Surface& mesh, float offset)
   return traced;
 }
 
-/** The points of a surface without its triangles. */
+/** The points of a surface as a cloud. */
 PreparedSurface
 preparedCloud(const Surface& mesh)
 {
@@ -181,6 +185,30 @@ TEST(AxisOfMesh, HasTwoPartsOnATorusTheLongerFirst)
   EXPECT_TRUE(traced.axis[1].closed);
   EXPECT_GT(torus.points[traced.axis[0].points[0]][1], 0.0F);
   EXPECT_LT(torus.points[traced.axis[1].points[0]][1], 0.0F);
+}
+
+TEST(AxisOfMesh, ShortLinesAreToldWhereTheSidesAreExact)
+{
+  Surface object = sphereMesh(5);
+  const Surface knob = sphereMesh(2);
+  const auto first = static_cast<Index>(object.size());
+  for (const Vector3& p : knob.points) {
+    object.points.push_back(0.04F * p + Vector3{0.0F, 1.03F, 0.0F});
+  }
+  for (const Triangle& t : knob.triangles) {
+    object.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  std::vector<float> heights;
+  for (const Vector3& p : object.points) {
+    heights.push_back(p[0] - 0.001F);
+  }
+  const PreparedSurface surface = withNormals(object);
+  const std::vector<float> values = withoutZeros(surface.graph, heights);
+  EXPECT_EQ(traceAxis(surface, values, {}, false).size(), 1U);
+  const std::vector<Polyline> axis = traceAxis(surface, values, {}, true);
+  ASSERT_EQ(axis.size(), 2U);
+  EXPECT_TRUE(axis[1].closed);
+  EXPECT_NEAR(length(axis[1]), 0.04F * 2.0F * 3.14159F, 0.01F);
 }
 
 TEST(AxisOfMesh, EndsAtTheBoundary)
@@ -257,7 +285,7 @@ TEST(AxisOfCloud, IsOneClosedCurveOnASphere)
     EXPECT_GT(length(traced.axis[0]), 2.0F * 3.14159F * 0.97F);
     EXPECT_LT(length(traced.axis[0]), 2.0F * 3.14159F * 1.05F);
     for (const AxisPoint& place : traced.axis[0].curve) {
-      EXPECT_NEAR(place.position[0], 0.1F, 0.03F + 0.03F); // the wave, and what points resolve
+      EXPECT_NEAR(place.position[0], 0.1F, 0.03F + 0.05F); // the wave, and an edge where a hole is bridged
     }
   }
 }
@@ -305,7 +333,7 @@ TEST(Axis, LeavesOutWhatIsNotWanted)
       is_out.push_back(p[2] > 0.5F ? 1 : 0);
     }
     const std::vector<Polyline> axis =
-        traceAxis(surface, absorbSpecks(surface.graph, waveFunction(sphere, 0.0F)), is_out);
+        traceAxis(surface, absorbSpecks(surface.graph, waveFunction(sphere, 0.0F)), is_out, false);
     ASSERT_EQ(axis.size(), 1U);
     EXPECT_FALSE(axis[0].closed);
     EXPECT_NEAR(length(axis[0]), 3.14159F * 4.0F / 3.0F, 0.2F); // two thirds of the circle

@@ -1,5 +1,4 @@
 #include "support/prepared.h"
-#include "symmetry/sides/curve_thinning.h"
 #include "symmetry/sides/line_joining.h"
 
 #include <gtest/gtest.h>

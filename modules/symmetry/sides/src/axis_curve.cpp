@@ -1,7 +1,7 @@
 #include "symmetry/sides/axis_curve.h"
 
+#include "cloud/local_delaunay.h"
 #include "symmetry/sides/curve_points.h"
-#include "symmetry/sides/curve_thinning.h"
 #include "symmetry/sides/line_joining.h"
 #include "symmetry/sides/mesh_contour.h"
 #include "symmetry/sides/side_settings.h"
@@ -118,9 +118,9 @@ withoutParts(const std::vector<ZeroLine>& lines, const std::vector<char>& is_out
   return kept;
 }
 
-/** Longest first, without the short ones. */
+/** Longest first, without those that are shorter than a share of the longest. */
 std::vector<ZeroLine>
-longestFirst(std::vector<ZeroLine> lines, const std::vector<Vector3>& points)
+longestFirst(std::vector<ZeroLine> lines, const std::vector<Vector3>& points, float shortest_share)
 {
   std::vector<float> lengths;
   lengths.reserve(lines.size());
@@ -132,26 +132,49 @@ longestFirst(std::vector<ZeroLine> lines, const std::vector<Vector3>& points)
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
   std::vector<ZeroLine> sorted;
   for (const std::size_t i : order) {
-    if (lines[i].crossings.size() > 1 && lengths[i] >= settings.shortest_share * lengths[order.front()]) {
+    if (lines[i].crossings.size() > 1 && lengths[i] >= shortest_share * lengths[order.front()]) {
       sorted.push_back(std::move(lines[i]));
     }
   }
   return sorted;
 }
 
+/** Of a cloud, around the points that have a neighbour on the other side. */
+std::vector<Triangle>
+trianglesBetweenSides(const PreparedSurface& cloud, const std::vector<float>& side_function)
+{
+  std::vector<Index> between;
+  for (std::size_t v = 0; v < cloud.size(); ++v) {
+    const auto& neighbours = cloud.graph.neighboursOf(v);
+    if (std::any_of(neighbours.begin(), neighbours.end(),
+                    [&](Index w) { return (side_function[v] < 0.0F) != (side_function[w] < 0.0F); })) {
+      between.push_back(static_cast<Index>(v));
+    }
+  }
+  return conformingTriangles(cloud.points, cloud.normals, cloud.graph, between);
+}
+
 } // namespace
 
 std::vector<Polyline>
-traceAxis(const PreparedSurface& surface, const std::vector<float>& side_function, const std::vector<char>& is_out)
+traceAxis(const PreparedSurface& surface,
+          const std::vector<float>& side_function,
+          const std::vector<char>& is_out,
+          bool are_sides_exact)
 {
-  std::vector<ZeroLine> zero_lines = surface.is_cloud ? cloudContours(surface.graph, surface.points, side_function)
-                                                      : zeroContours(surface.triangles, side_function);
-  zero_lines = longestFirst(std::move(zero_lines), surface.points);
+  // Triangles of a cloud leave crumbs, however exact the sides are.
+  const float shortest_share = are_sides_exact && !surface.is_cloud ? 0.0F : settings.shortest_share;
+  const auto sorted = [&](std::vector<ZeroLine> lines) {
+    return longestFirst(std::move(lines), surface.points, shortest_share);
+  };
+  std::vector<ZeroLine> zero_lines = sorted(zeroContours(
+      surface.is_cloud ? trianglesBetweenSides(surface, side_function) : surface.triangles, side_function));
   if (surface.is_cloud) {
-    zero_lines = longestFirst(joinedLines(surface, side_function, std::move(zero_lines)), surface.points);
+    zero_lines.resize(std::min(zero_lines.size(), settings.most_stretches));
+    zero_lines = sorted(joinedLines(surface, side_function, std::move(zero_lines)));
   }
   if (!is_out.empty()) {
-    zero_lines = longestFirst(withoutParts(zero_lines, is_out), surface.points);
+    zero_lines = sorted(withoutParts(zero_lines, is_out));
   }
   std::vector<Polyline> lines;
   for (const ZeroLine& zero_line : zero_lines) {

@@ -1,7 +1,6 @@
 #include "symmetry/sides/curve_points.h"
 
 #include "base/vector_math.h"
-#include "symmetry/sides/curve_thinning.h"
 #include "symmetry/sides/side_settings.h"
 
 #include <algorithm>

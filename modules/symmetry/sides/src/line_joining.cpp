@@ -2,7 +2,6 @@
 
 #include "base/vector_math.h"
 #include "geodesic/shortest_paths.h"
-#include "symmetry/sides/curve_thinning.h"
 #include "symmetry/sides/side_settings.h"
 
 #include <algorithm>
@@ -66,6 +65,12 @@ findGaps(const std::vector<ZeroLine>& lines, const std::vector<Vector3>& points)
   return gaps;
 }
 
+float
+extent(const ZeroCrossing& crossing, const std::vector<Vector3>& points)
+{
+  return distance(points[crossing.from], points[crossing.to]);
+}
+
 /** Finds paths over the surface that keep to the zero of a function. */
 class GapBridge {
 public:
@@ -80,7 +85,7 @@ public:
   {
     const Index start = gap.from.crossing.nearerEnd();
     const Index goal = gap.to.crossing.nearerEnd();
-    const float edge = 0.5F * (extent(gap.from.crossing) + extent(gap.to.crossing));
+    const float edge = 0.5F * (extent(gap.from.crossing, surface_.points) + extent(gap.to.crossing, surface_.points));
     const float reach = gap.width + std::max(edge, settings.least);
     const float room = settings.detour * reach;
     std::vector<Index> around;
@@ -110,12 +115,6 @@ public:
   }
 
 private:
-  float
-  extent(const ZeroCrossing& crossing) const
-  {
-    return distance(surface_.points[crossing.from], surface_.points[crossing.to]);
-  }
-
   /** The graph of some points; an edge counts as longer the farther it is from the zero, in edges. */
   SurfaceGraph
   penalized(const std::vector<Index>& around, float edge) const
@@ -184,9 +183,10 @@ joinedLines(const PreparedSurface& surface, const std::vector<float>& values, st
   while (joined) {
     joined = false;
     for (const Gap& gap : findGaps(lines, surface.points)) {
-      // Ends that all but meet are parted by what only touches, such as lips.
+      // Ends that all but meet are parted by what only touches, such as lips, or by a triangle that is missing.
+      const float edge = 0.5F * (extent(gap.from.crossing, surface.points) + extent(gap.to.crossing, surface.points));
       const std::optional<std::vector<Index>> path =
-          gap.width <= settings.least ? std::vector<Index>{} : bridge.across(gap);
+          gap.width <= std::max(settings.least, edge) ? std::vector<Index>{} : bridge.across(gap);
       if (path) {
         join(gap, *path, lines);
         joined = true;

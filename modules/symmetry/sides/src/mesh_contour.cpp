@@ -1,5 +1,7 @@
 #include "symmetry/sides/mesh_contour.h"
 
+#include "base/vector_math.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -108,6 +110,13 @@ private:
 };
 
 } // namespace
+
+Vector3
+placeOf(const ZeroCrossing& crossing, const std::vector<Vector3>& points)
+{
+  const Vector3& from = points[crossing.from];
+  return from + crossing.share * (points[crossing.to] - from);
+}
 
 ZeroCrossing
 crossingBetween(Index a, Index b, const std::vector<float>& values)

@@ -11,26 +11,6 @@ namespace {
 
 constexpr SideSettings settings{};
 
-/** A value without a side (zero) takes the sign of most of its neighbours; the source side where they are as many. */
-std::vector<float>
-withoutZeros(const SurfaceGraph& graph, std::vector<float> values)
-{
-  constexpr float tiny = 1e-6F;
-  const std::vector<float> given = values;
-  for (std::size_t v = 0; v < graph.size(); ++v) {
-    if (given[v] != 0.0F) {
-      continue;
-    }
-    int balance = 0;
-    for (const Index w : graph.neighboursOf(v)) {
-      const float neighbour = given[w];
-      balance += neighbour > 0.0F ? 1 : neighbour < 0.0F ? -1 : 0;
-    }
-    values[v] = balance < 0 ? -tiny : tiny;
-  }
-  return values;
-}
-
 /** Connected vertices of one sign. */
 struct Patches {
   std::vector<Index> patch_of;
@@ -157,6 +137,25 @@ sideFunction(const DistanceFields& source_fields, const DistanceFields& target_f
     }
   }
   return votes;
+}
+
+std::vector<float>
+withoutZeros(const SurfaceGraph& graph, const std::vector<float>& side_function)
+{
+  constexpr float tiny = 1e-6F;
+  std::vector<float> values = side_function;
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    if (side_function[v] != 0.0F) {
+      continue;
+    }
+    int balance = 0;
+    for (const Index w : graph.neighboursOf(v)) {
+      const float neighbour = side_function[w];
+      balance += neighbour > 0.0F ? 1 : neighbour < 0.0F ? -1 : 0;
+    }
+    values[v] = balance < 0 ? -tiny : tiny;
+  }
+  return values;
 }
 
 std::vector<float>
