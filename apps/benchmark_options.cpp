@@ -29,6 +29,9 @@ methodOptions(BenchmarkOptions& options)
   method.flag("as-cloud", options.run.as_cloud, "leave the faces out of the input");
   method.flag("graph", options.graph,
               "compare distances in the graph of the cloud with those along the mesh; prints this table only");
+  method.flag("ablation", options.ablation,
+              "run the robust method without one of its ingredients after the other on the first interpretation of "
+              "every model; prints this table only");
   method.flag(
       "side-names", options.names,
       "compare the names of the sides of models of a set, with one another as reference and by the shape alone, "
@@ -97,19 +100,35 @@ checkCombination(const BenchmarkOptions& options)
     throw UsageError("--vary goes with neither --graph nor --cut-limb");
 }
 
+bool
+writesFiles(const BenchmarkOptions& options)
+{
+  const std::vector<std::string> files = options.outputs();
+  return !options.map_folder.empty() || !options.paper.empty() ||
+         std::any_of(files.begin(), files.end(), [](const auto& file) { return !file.empty(); });
+}
+
 /** \brief Names are compared of models as they are. */
 void
 checkNamesCombination(const BenchmarkOptions& options)
 {
   if (!options.exchanged.empty() && !options.names)
     throw UsageError("--exchanged goes with --side-names");
-  const std::vector<std::string> files = options.outputs();
-  const bool writes = !options.map_folder.empty() || !options.paper.empty() ||
-                      std::any_of(files.begin(), files.end(), [](const auto& f) { return !f.empty(); });
-  if (options.names && (writes || options.graph || options.run.cut_limb || options.variants > 0 ||
+  if (options.names && (writesFiles(options) || options.graph || options.run.cut_limb || options.variants > 0 ||
                         !options.run.disturbance.changesNothing() || !options.scored_map.empty()))
     throw UsageError("--side-names is of the models as they are and writes nothing else: of all that changes models or "
                      "writes files it goes with --as-cloud only");
+}
+
+/** \brief Ablations are of the robust method and write nothing. */
+void
+checkAblationCombination(const BenchmarkOptions& options)
+{
+  if (options.ablation &&
+      (writesFiles(options) || options.samples > 0 || options.graph || options.names || options.run.cut_limb ||
+       options.variants > 0 || options.run.parameters.method != Method::Robust || !options.scored_map.empty()))
+    throw UsageError("--ablation is of the robust method on whole models and writes nothing else: it goes with "
+                     "--as-cloud and the disturbances only, not with --samples either");
 }
 
 void
@@ -183,6 +202,7 @@ completeOptions(BenchmarkOptions& options, const CommandLine& line)
   checkUsage<pcl::BadArgumentException>([&options] { checkDisturbance(options.run.disturbance); });
   checkCombination(options);
   checkNamesCombination(options);
+  checkAblationCombination(options);
   checkPaperCombination(options);
 }
 

@@ -21,6 +21,7 @@ struct BenchmarkOptions {
   std::vector<std::string> classes;
   bool all = false;
   bool graph = false;
+  bool ablation = false;
   bool names = false;
   std::vector<std::string> exchanged;
   std::string evidence;

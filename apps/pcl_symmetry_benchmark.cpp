@@ -2,6 +2,7 @@
  * \brief pcl_symmetry_benchmark: runs the estimation on published data sets and prints the field's metrics.
  */
 #include "base/thread_scope.h"
+#include "benchmark/ablation.h"
 #include "benchmark/error_curve_plot.h"
 #include "benchmark/evidence.h"
 #include "benchmark/graph_accuracy.h"
@@ -162,6 +163,15 @@ runNames(const BenchmarkOptions& options)
   return is_complete ? exit_done : exit_failed;
 }
 
+int
+runAblation(const BenchmarkOptions& options)
+{
+  const std::vector<BenchmarkModel> models = selectModels(options);
+  const std::vector<std::vector<AblationRun>> runs = runAblations(models, options.run, options.jobs, std::cerr);
+  printAblations(std::cout, runs);
+  return runs.front().size() == models.size() ? exit_done : exit_failed;
+}
+
 void
 printResults(const BenchmarkOptions& options, const std::vector<ModelRun>& runs)
 {
@@ -227,6 +237,8 @@ runWith(BenchmarkOptions& options, const CommandLine& line)
     return runPaper(options);
   if (options.names)
     return runNames(options);
+  if (options.ablation)
+    return runAblation(options);
   return options.graph ? runGraphs(options) : runDataSets(options);
 }
 

@@ -211,6 +211,17 @@ TEST_F(BenchmarkProgramTest, RunsVariantsBesideTheModel)
   EXPECT_EQ(runBenchmark({writeHuman(), "--vary", "1", "--cut-limb", "other"}).exit_status, 2);
 }
 
+TEST_F(BenchmarkProgramTest, ShowsWhatEachIngredientContributes)
+{
+  const ProgramRun run = runBenchmark({writeHuman(), "--ablation", "--threads", "1"});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  EXPECT_NE(run.output.find("MADE"), std::string::npos) << run.output;
+  const std::size_t whole = run.output.find("whole method");
+  ASSERT_NE(whole, std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("100.0 /100.0    1.00", whole), std::string::npos) << "all right, in its own time";
+  EXPECT_GT(std::count(run.output.begin(), run.output.end(), '\n'), 15) << "a line for each";
+}
+
 TEST_F(BenchmarkProgramTest, WritesTheEvidenceOfEveryMap)
 {
   const ProgramRun run =
@@ -292,6 +303,9 @@ TEST_F(BenchmarkProgramTest, WrongUsageEndsWithTwo)
                               {folder, "--quantise", "2"},
                               {folder, "--repeat", "-1"},
                               {folder, "--graph", "--as-cloud"},
+                              {folder, "--ablation", "--csv", "file.csv"},
+                              {folder, "--ablation", "--method", "staged"},
+                              {folder, "--ablation", "--samples", "300"},
                               {folder, "--side-names", "--graph"},
                               {folder, "--side-names", "--csv", "file.csv"},
                               {folder, "--side-names", "--noise", "0.01"},

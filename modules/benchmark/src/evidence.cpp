@@ -3,6 +3,7 @@
 #include "../../estimation/src/neighbour_search.h"
 #include "base/error_text.h"
 #include "base/parallel.h"
+#include "benchmark/interpretation_map.h"
 #include "benchmark/metrics.h"
 #include "benchmark/model_input.h"
 #include "io/write/output_file.h"
@@ -16,21 +17,6 @@
 namespace pcl {
 namespace symmetry {
 namespace {
-
-/** The map of one interpretation in the numbers of the model's file. */
-std::vector<Index>
-mapOfModel(const Interpretation& interpretation, const ModelInput& model)
-{
-  const PreparedSurface& surface = interpretation.surface;
-  const std::vector<Index>& partners = interpretation.estimate.partners;
-  std::vector<Index> of_input(surface.representatives.size(), no_index);
-  for (std::size_t v = 0; v < of_input.size() && !partners.empty(); ++v) {
-    if (surface.representatives[v] != no_index && partners[surface.representatives[v]] != no_index) {
-      of_input[v] = surface.original[partners[surface.representatives[v]]];
-    }
-  }
-  return mapOfFile(model, of_input);
-}
 
 /** Per vertex of the model's file: the point of the prepared surface that stands for it; no_index where none does. */
 std::vector<Index>
