@@ -29,6 +29,13 @@ refineContenders(const SampleRefinement& refinement,
                  std::size_t maximum,
                  float margin);
 
+/** \brief Refines further candidates and puts them among the others.
+ * \param[in] candidates referred to, not copied */
+void
+addContenders(const SampleRefinement& refinement,
+              const std::vector<SymmetryCandidate>& candidates,
+              std::vector<Contender>& contenders);
+
 /** \brief Judges maps of one surface. */
 class MapJudge {
 public:

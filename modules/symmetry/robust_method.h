@@ -7,6 +7,7 @@
 #include "symmetry/mirror_method.h"
 #include "symmetry/refine/sample_refinement.h"
 #include "symmetry/samples/sampled_surface.h"
+#include "symmetry/search/limb_exchange.h"
 #include "symmetry/search/symmetry_search.h"
 #include "symmetry/step_timer.h"
 #include "symmetry/surface/prepared_surface.h"
@@ -22,6 +23,7 @@ struct RobustSettings {
   MirrorSettings mirror;
   SearchSettings search;
   RefinementSettings refinement;
+  LimbExchangeSettings exchange;
   std::size_t contenders = 4;    ///< best candidates that are refined and compared, as long as their scores
   float contender_margin = 0.7F; ///< are not worse than the best one's by more than this: half as isometric
 };

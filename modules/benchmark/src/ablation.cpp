@@ -93,6 +93,7 @@ ablations()
   with("no pairings", [](RobustSettings& s) { s.search.pairings = 0; });
   with("no parts derived anew", [](RobustSettings& s) { s.search.rederived = 0; });
   with("no parts regrown", [](RobustSettings& s) { s.search.regrown = 0; });
+  with("limbs not exchanged", [](RobustSettings& s) { s.exchange.exchanges = 0; });
   with("one candidate refined", [](RobustSettings& s) { s.contenders = 1; });
   with("no curvature in the score", [](RobustSettings& s) {
     s.search.score.curvature = 0.0F;

@@ -6,6 +6,16 @@
 
 namespace pcl {
 namespace symmetry {
+namespace {
+
+void
+sortByValue(std::vector<Contender>& contenders)
+{
+  std::stable_sort(contenders.begin(), contenders.end(),
+                   [](const Contender& a, const Contender& b) { return a.samples.value < b.samples.value; });
+}
+
+} // namespace
 
 std::vector<Contender>
 refineContenders(const SampleRefinement& refinement,
@@ -20,9 +30,19 @@ refineContenders(const SampleRefinement& refinement,
     }
     contenders.push_back({&candidate, refinement.refine(candidate)});
   }
-  std::stable_sort(contenders.begin(), contenders.end(),
-                   [](const Contender& a, const Contender& b) { return a.samples.value < b.samples.value; });
+  sortByValue(contenders);
   return contenders;
+}
+
+void
+addContenders(const SampleRefinement& refinement,
+              const std::vector<SymmetryCandidate>& candidates,
+              std::vector<Contender>& contenders)
+{
+  for (const SymmetryCandidate& candidate : candidates) {
+    contenders.push_back({&candidate, refinement.refine(candidate)});
+  }
+  sortByValue(contenders);
 }
 
 MapJudge::MapJudge(const SampledSurface& sampled)

@@ -3,6 +3,7 @@
 #include "symmetry/map_delivery.h"
 #include "symmetry/map_judgement.h"
 
+#include <algorithm>
 #include <string>
 
 namespace pcl {
@@ -63,6 +64,19 @@ estimateRobust(const PreparedSurface& surface,
   }
   if (contenders.empty()) {
     return estimate;
+  }
+  // In doubt: is it right but for two limbs?
+  std::vector<SymmetryCandidate> exchanged;
+  if (estimate.confidence < in_doubt) {
+    exchanged = exchangeLimbs(sampled, contenders.front().samples.landmark_map, settings.search, settings.exchange);
+    const float worst = candidates.front().score.value + settings.contender_margin;
+    exchanged.erase(std::remove_if(exchanged.begin(), exchanged.end(),
+                                   [worst](const SymmetryCandidate& c) { return c.score.value > worst; }),
+                    exchanged.end());
+  }
+  if (!exchanged.empty()) {
+    addContenders(refinement, exchanged, contenders);
+    estimate = judge.verdict(contenders);
   }
   // Deliver: from the samples to all points, also where the map is refused: other interpretations may speak for it.
   timer.start("dense", 0.8);

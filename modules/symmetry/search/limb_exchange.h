@@ -1,0 +1,38 @@
+/** \file
+ * \brief Maps that differ from a map in where two limbs go.
+ */
+#pragma once
+
+#include "symmetry/samples/sampled_surface.h"
+#include "symmetry/search/symmetry_search.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief How limbs are exchanged; lengths are shares of the diameter. */
+struct LimbExchangeSettings {
+  float separation = 0.12F;  ///< least distance between the ends of limbs; an image within half of it meets an end
+  std::size_t ends = 16;     ///< at most
+  std::size_t exchanges = 6; ///< at most: all those of four limbs
+};
+
+/** \brief Candidates near a map: two limbs that stand still, each mirrored in itself, change places, or two that change
+ * places stand still.
+ *
+ * A leg is nearly its own mirror image, so that a map that mirrors both front legs of an animal in themselves, and
+ * changes the hind ones, keeps distances about as well as the right one; from few eigenfunctions, which hardly see a
+ * raised leg, all hypotheses end there. So the ends of the limbs (extremities) are paired as the map has them, but for
+ * two; the map that carries distances to the ends over to those to
+ * their partners is refined in all eigenfunctions at once. The exchanges that change distances least come first.
+ * \param[in] map of the landmarks
+ * \return each with its score; empty where no two limbs stand still or change places, or fewer than four ends have partners */
+std::vector<SymmetryCandidate>
+exchangeLimbs(const SampledSurface& sampled,
+              const SampleMap& map,
+              const SearchSettings& search,
+              const LimbExchangeSettings& settings);
+
+} // namespace symmetry
+} // namespace pcl

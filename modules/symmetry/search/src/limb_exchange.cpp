@@ -1,0 +1,176 @@
+#include "symmetry/search/limb_exchange.h"
+
+#include "base/parallel.h"
+#include "symmetry/search/functional_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** The ends of the limbs and where a map sends them. */
+class LimbPairing {
+public:
+  LimbPairing(const LandmarkSurface& landmarks, const SampleMap& map, const LimbExchangeSettings& settings)
+      : landmarks_(landmarks), ends_(extremitiesOf(landmarks, settings.separation, settings.ends))
+  {
+    for (const Index end : ends_) {
+      partners_.push_back(nearestEnd(map[static_cast<std::size_t>(end)], 0.5F * settings.separation));
+    }
+  }
+
+  std::size_t
+  size() const
+  {
+    return ends_.size();
+  }
+
+  std::size_t
+  paired() const
+  {
+    return static_cast<std::size_t>(
+        std::count_if(partners_.begin(), partners_.end(), [](Index partner) { return partner != no_index; }));
+  }
+
+  /** Whether both stand still, or change places. */
+  bool
+  isExchangeable(std::size_t a, std::size_t b) const
+  {
+    const auto goesTo = [this](std::size_t from, std::size_t to) {
+      return partners_[from] == static_cast<Index>(to);
+    };
+    return (goesTo(a, a) && goesTo(b, b)) || (goesTo(a, b) && goesTo(b, a));
+  }
+
+  /** The same but for two ends. */
+  LimbPairing
+  exchanged(std::size_t a, std::size_t b) const
+  {
+    LimbPairing other = *this;
+    std::swap(other.partners_[a], other.partners_[b]);
+    return other;
+  }
+
+  /** Mean change of the distances of two ends to all others, share of the diameter. */
+  float
+  changeAt(std::size_t a, std::size_t b) const
+  {
+    float sum = 0.0F;
+    std::size_t count = 0;
+    for (const std::size_t end : {a, b}) {
+      for (std::size_t other = 0; other < size(); ++other) {
+        if (other != a && other != b && partners_[other] != no_index) {
+          sum += std::abs(distance(ends_[end], ends_[other]) - distance(partnerOf(end), partnerOf(other)));
+          ++count;
+        }
+      }
+    }
+    return count == 0 ? landmarks_.diameter : sum / (static_cast<float>(count) * landmarks_.diameter);
+  }
+
+  /** The map that carries distances to the ends over to those to their partners. */
+  SampleMap
+  toMap() const
+  {
+    const auto columns = static_cast<Eigen::Index>(paired());
+    Eigen::MatrixXf from(landmarks_.distances.rows(), columns);
+    Eigen::MatrixXf to(from.rows(), columns);
+    Eigen::Index column = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (partners_[i] != no_index) {
+        from.col(column) = landmarks_.distances.col(ends_[i]);
+        to.col(column) = landmarks_.distances.col(partnerOf(i));
+        ++column;
+      }
+    }
+    return nearestRows(from, to);
+  }
+
+private:
+  float
+  distance(Index a, Index b) const
+  {
+    return landmarks_.distances(a, b);
+  }
+
+  Index
+  partnerOf(std::size_t end) const
+  {
+    return ends_[static_cast<std::size_t>(partners_[end])];
+  }
+
+  /** Number of the nearest end; no_index where none is within a share of the diameter. */
+  Index
+  nearestEnd(Index landmark, float within) const
+  {
+    const auto nearest = std::min_element(
+        ends_.begin(), ends_.end(), [&](Index a, Index b) { return distance(landmark, a) < distance(landmark, b); });
+    return nearest != ends_.end() && distance(landmark, *nearest) <= within * landmarks_.diameter
+               ? static_cast<Index>(nearest - ends_.begin())
+               : no_index;
+  }
+
+  const LandmarkSurface& landmarks_;
+  std::vector<Index> ends_;
+  std::vector<Index> partners_; ///< numbers of ends
+};
+
+struct Exchange {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  float change = 0.0F;
+};
+
+/** The least change first. */
+std::vector<Exchange>
+findExchanges(const LimbPairing& pairing, const LimbExchangeSettings& settings)
+{
+  constexpr std::size_t fewest_paired = 4; // distances to three leave left and right open
+  std::vector<Exchange> exchanges;
+  for (std::size_t a = 0; a < pairing.size() && pairing.paired() >= fewest_paired; ++a) {
+    for (std::size_t b = a + 1; b < pairing.size(); ++b) {
+      if (pairing.isExchangeable(a, b)) {
+        exchanges.push_back({a, b, pairing.exchanged(a, b).changeAt(a, b)});
+      }
+    }
+  }
+  std::stable_sort(exchanges.begin(), exchanges.end(),
+                   [](const Exchange& x, const Exchange& y) { return x.change < y.change; });
+  exchanges.resize(std::min(exchanges.size(), settings.exchanges));
+  return exchanges;
+}
+
+} // namespace
+
+std::vector<SymmetryCandidate>
+exchangeLimbs(const SampledSurface& sampled,
+              const SampleMap& map,
+              const SearchSettings& search,
+              const LimbExchangeSettings& settings)
+{
+  const LandmarkSurface& landmarks = sampled.landmarks;
+  const LimbPairing pairing(landmarks, map, settings);
+  const std::vector<Exchange> exchanges = findExchanges(pairing, settings);
+  std::vector<SymmetryCandidate> candidates(exchanges.size());
+  if (candidates.empty()) {
+    return candidates;
+  }
+  const ShapeDescriptor guide =
+      describeShape(sampled.coarse, sampled.basis, search.guide.oriented_dimensions, search.guide);
+  const UpwardRefinement refinement(sampled.basis.functions, guide, static_cast<Eigen::Index>(landmarks.size()),
+                                    {search.levels.back()}, search.guidance);
+  parallelFor(candidates.size(), [&](std::size_t i) {
+    SymmetryCandidate& candidate = candidates[i];
+    candidate.source = SymmetryHypothesis::Source::Extremities;
+    candidate.map = pairing.exchanged(exchanges[i].first, exchanges[i].second).toMap();
+    candidate.matrix = refinement.refine(candidate.map);
+    candidate.score = scoreMap(landmarks, sampled.descriptor, candidate.map, search.coarse_targets, search.score);
+  });
+  return candidates;
+}
+
+} // namespace symmetry
+} // namespace pcl
