@@ -6,6 +6,7 @@
 #include "symmetry/confidence/map_confidence.h"
 #include "symmetry/confidence/part_twins.h"
 #include "symmetry/confidence/point_confidence.h"
+#include "symmetry/confidence/unsupported_parts.h"
 #include "symmetry/interpretations.h"
 #include "symmetry/result_delivery.h"
 #include "symmetry/robust_method.h"
@@ -37,6 +38,9 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
 /** Share of the points below which a part of the object is missing. */
 constexpr float nearly_all = 0.9F;
 
+/** Share below which there is no symmetry of the object. */
+constexpr float half = 0.5F;
+
 /** Share of the usable points of the input that took part; what was not asked for does not count. */
 float
 shareUsed(const InputSummary& input, ComponentUse use)
@@ -57,7 +61,6 @@ addRemark(SymmetryResult& result, const std::string& remark)
 void
 judgeShareUsed(SymmetryResult& result, ComponentUse use)
 {
-  constexpr float half = 0.5F;
   const float share = shareUsed(result.input, use);
   if (share >= nearly_all) {
     return;
@@ -72,6 +75,17 @@ judgeShareUsed(SymmetryResult& result, ComponentUse use)
   result.status = SymmetryStatus::NoSymmetry;
   result.confidence *= confidence_of_refused;
   addRemark(result, "that is less than half: ask for the largest component alone, or cut the others off");
+}
+
+/** What explains less than half of the surface is no symmetry of it. */
+void
+judgeShareMapped(SymmetryResult& result, float share)
+{
+  if (share < half) {
+    result.status = SymmetryStatus::NoSymmetry;
+    result.confidence *= confidence_of_refused;
+    addRemark(result, "less than half of the surface has a counterpart");
+  }
 }
 
 /** What became of the points of the input, for those who are told that there are too few. */
@@ -131,6 +145,9 @@ estimateInto(SymmetryResult& result,
     return;
   }
   judgeShareUsed(result, parameters.components);
+  if (result.status == SymmetryStatus::PartlySymmetric && !estimate.partners.empty()) {
+    judgeShareMapped(result, shareWithPartner(prepared, estimate.partners));
+  }
   if (!hasMap(result.status)) {
     return;
   }

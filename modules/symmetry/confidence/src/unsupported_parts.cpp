@@ -31,6 +31,19 @@ pointAreas(const PreparedSurface& surface)
 
 } // namespace
 
+float
+shareWithPartner(const PreparedSurface& surface, const std::vector<Index>& partners)
+{
+  const std::vector<float> areas = pointAreas(surface);
+  double all = 0.0;
+  double mapped = 0.0;
+  for (std::size_t v = 0; v < areas.size(); ++v) {
+    all += areas[v];
+    mapped += partners[v] == no_index ? 0.0 : areas[v];
+  }
+  return all > 0.0 ? static_cast<float>(mapped / all) : 0.0F;
+}
+
 std::vector<UnsupportedPart>
 unsupportedParts(const PreparedSurface& surface, const std::vector<char>& is_unsupported)
 {
