@@ -96,9 +96,14 @@ struct ContactSettings {
   float barrier_piece = 8.0F; ///< depths that are searched at a time: four cubes of the grid
   /** Depths: no contact has longer edges, bodies ten times sparser at one end have them up to 13; bounds the time. */
   float longest_barred = 64.0F;
+  /** Points that are looked at for each of those pieces: several times as many as clouds of bodies, objects and scans have
+   * there. Where half of all points are nearer to each other than the depth it would be all of them, for every edge. */
+  std::size_t barrier_points = 2048;
   /** Nearest neighbours to which edges are put back, and along which ways round them are looked for: those to more are
    * long, and keep nothing together. The usual number is 10; of 256 each search would take a thousand times as long. */
   std::size_t restored_neighbours = 32;
+  /** Points that are passed on the way round one such edge: several times as many as those clouds have. */
+  std::size_t restored_points = 4096;
   float maximum_gap = 0.05F; ///< share of the longest side that a link may bridge
   int minimum_part = 20;     ///< points; less is a speck and stays apart
   float way_ratio = 2.0F;    ///< length of a link over that of the shortest between the same parts

@@ -16,7 +16,7 @@ namespace symmetry {
  * however sharp it is.
  *
  * An edge takes time in proportion to its length over the depth; one of more than ContactSettings::longest_barred depths
- * is no contact. */
+ * is no contact, and no more than ContactSettings::barrier_points are looked at for each piece of one. */
 class ContactBarrier {
 public:
   /** \param[in] points referred to, not copied; finite, within a few units of the origin

@@ -69,16 +69,29 @@ public:
   void
   visitBox(const Vector3& low, const Vector3& high, Visit visit) const
   {
+    anyInBox(low, high, [&visit](Index i) {
+      visit(i);
+      return false;
+    });
+  }
+
+  /** \brief Whether found (i) is true of any point i in the cubes that meet a box. In a fixed order, and to the first. */
+  template <typename Found>
+  bool
+  anyInBox(const Vector3& low, const Vector3& high, Found found) const
+  {
     const std::array<std::int64_t, 3> first = cube(low);
     const std::array<std::int64_t, 3> last = cube(high);
     for (std::int64_t z = first[2]; z <= last[2]; ++z) {
       for (std::int64_t y = first[1]; y <= last[1]; ++y) {
         const auto [begin, end] = row({first[0], y, z}, last[0]);
-        for (std::size_t i = begin; i < end; ++i) {
-          visit(order_[i]);
+        if (std::any_of(order_.begin() + static_cast<std::ptrdiff_t>(begin),
+                        order_.begin() + static_cast<std::ptrdiff_t>(end), found)) {
+          return true;
         }
       }
     }
+    return false;
   }
 
   /** \brief All points, in the order in which visits meet them. */

@@ -17,7 +17,9 @@ namespace symmetry {
  * \cite dial1969algorithm with real lengths).
  *
  * Vertices within one bucket are expanded in the order they came in, and again if a shorter way to them turns up, so
- * the distances are those of Dijkstra's algorithm to the last bit: the least of all path sums. The ring is wide enough
+ * the distances are those of Dijkstra's algorithm to the last bit: the least of all path sums. Where lengths differ by orders of
+ * magnitude one bucket may hold most vertices, and would expand each of them hundreds of times: what is more than a crowd in
+ * it is expanded nearest first, as Dijkstra's algorithm does. The ring is wide enough
  * for the longest edge; very long edges widen the buckets instead of the ring. One object serves many searches on the
  * same graph, from one thread.
  */
@@ -45,22 +47,18 @@ public:
     }
     for (; pending > 0; ++current) {
       std::vector<Entry>& bucket = ring_[current & mask_];
-      for (std::size_t i = 0; i < bucket.size(); ++i) { // grows while it is worked off
+      for (std::size_t i = 0; i < std::min(bucket.size(), crowd); ++i) { // grows while it is worked off
         prefetchEdges(bucket, i);
-        const Entry entry = bucket[i];
-        if (entry.distance > distances[entry.vertex]) {
-          continue; // a shorter way has been found since
-        }
-        for (std::uint32_t e = graph_.offsets[entry.vertex]; e < graph_.offsets[entry.vertex + 1]; e += at_a_time) {
-          Entry improved[at_a_time];
-          const std::size_t count = findImproved(entry, e, distances, improved);
-          for (std::size_t k = 0; k < count; ++k) {
-            distances[improved[k].vertex] = improved[k].distance;
-            on_improved(improved[k].vertex, entry.vertex);
-            push(improved[k], std::max(bucketOf(improved[k].distance), current));
-          }
-          pending += count;
-        }
+        pending += expand(bucket[i], current, distances, on_improved);
+      }
+      std::make_heap(bucket.begin() + static_cast<std::ptrdiff_t>(std::min(bucket.size(), crowd)), bucket.end(),
+                     isFarther);
+      while (bucket.size() > crowd) {
+        const Entry nearest = takeNearest(bucket);
+        const std::size_t before = bucket.size();
+        pending += expand(nearest, current, distances, on_improved);
+        --pending;
+        enter(bucket, before);
       }
       pending -= bucket.size();
       bucket.clear();
@@ -74,6 +72,55 @@ private:
   };
 
   static constexpr std::uint32_t at_a_time = 32; // edges of a vertex
+  static constexpr std::size_t crowd = 4096;     // entries of a bucket; fronts of a million points have some thousand
+
+  static bool
+  isFarther(const Entry& a, const Entry& b)
+  {
+    return a.distance > b.distance;
+  }
+
+  /** Of a crowded bucket, whose entries beyond a crowd are a heap. */
+  static Entry
+  takeNearest(std::vector<Entry>& bucket)
+  {
+    std::pop_heap(bucket.begin() + static_cast<std::ptrdiff_t>(crowd), bucket.end(), isFarther);
+    const Entry nearest = bucket.back();
+    bucket.pop_back();
+    return nearest;
+  }
+
+  /** Makes the entries of a crowded bucket from number \a before on part of its heap. */
+  static void
+  enter(std::vector<Entry>& bucket, std::size_t before)
+  {
+    for (std::size_t size = before + 1; size <= bucket.size(); ++size) {
+      std::push_heap(bucket.begin() + static_cast<std::ptrdiff_t>(crowd),
+                     bucket.begin() + static_cast<std::ptrdiff_t>(size), isFarther);
+    }
+  }
+
+  /** Lowers the distances of the neighbours, unless a shorter way has been found since; the number of new entries. */
+  template <typename OnImproved>
+  std::size_t
+  expand(const Entry entry, std::size_t current, float* distances, OnImproved& on_improved)
+  {
+    if (entry.distance > distances[entry.vertex]) {
+      return 0;
+    }
+    std::size_t entries = 0;
+    for (std::uint32_t e = graph_.offsets[entry.vertex]; e < graph_.offsets[entry.vertex + 1]; e += at_a_time) {
+      Entry improved[at_a_time];
+      const std::size_t count = findImproved(entry, e, distances, improved);
+      for (std::size_t k = 0; k < count; ++k) {
+        distances[improved[k].vertex] = improved[k].distance;
+        on_improved(improved[k].vertex, entry.vertex);
+        push(improved[k], std::max(bucketOf(improved[k].distance), current));
+      }
+      entries += count;
+    }
+    return entries;
+  }
 
   /** Some of the edges of a vertex from edge e on: those that are shorter ways to where they lead. Without a branch,
    * which would be a guess for every edge.

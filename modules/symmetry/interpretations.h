@@ -80,8 +80,8 @@ private:
   std::vector<Stage> stages_; ///< yet to come, the next one last
   bool is_first_ = true;
   UsablePoints usable_; ///< of the current stage
-  /** Of the first stage of a mesh in doubt: cleaning and linking a mesh takes as long as all the rest where many parts cross. */
-  std::optional<UsablePoints> connected_;
+  /** That of the first stage of a mesh in doubt: cleaning and linking take as long as all the rest where many parts cross. */
+  std::optional<PreparedSurface> connected_;
   float samples_ = 1.0F;              ///< of the current stage
   std::vector<ContactTest> contacts_; ///< of the current stage, yet to come, the next one last
   PastInterpretations past_;

@@ -292,7 +292,7 @@ hostileGeometry()
       {"BodyWithFewScrambledFaces", "03", [] { return scrambled(body(6000), 0.003); }, {}},
       {"LooseTriangles", "013", [] { return looseTriangles(3000, 0.01); }, {}},
       {"LooseTrianglesThatCross", "013", [] { return looseTriangles(1500, 0.3); }, {}},
-      {"ManyLooseTrianglesThatCross", "013", [] { return looseTriangles(8000, 0.3); }, {}},
+      {"ManyLooseTrianglesThatCross", "013", [] { return looseTriangles(20000, 0.3); }, {}},
       {"GlobeWithChords", "03", [] { return globeWithChords(160, 160, 3000); }, {}},
       // Shapes of which a spacing or a size tells nothing.
       {"SpikyGlobe", "03", spiky, {}},
@@ -321,6 +321,8 @@ hostileGeometry()
       // Clouds.
       {"BallOfManySizes", "013", [] { return logarithmicBall(6000, 26.0); }, {}},
       {"BallOfAThousandSizes", "013", [] { return logarithmicBall(6000, 3.0); }, {}},
+      {"LargeBallOfAHundredThousandSizes", "013", [] { return logarithmicBall(83000, 5.0); }, {}},
+      {"LargeBallOfAMillionMillionSizes", "013", [] { return logarithmicBall(83000, 12.0); }, {}},
       {"TwoClustersAMillionSizesApart", "013", [] { return twoFarClusters(20000); }, {}},
       {"SolidBall", "03", [] { return solidBall(83000); }, {}},
       {"CantorDust", "03", [] { return cantorDust(30000); }, {}},

@@ -52,6 +52,17 @@ TEST(ContactBarrier, HasTheSameVerdictForASlantedEdge)
   }
 }
 
+TEST(ContactBarrier, TellsNothingWherePointsAreMuchCloserThanTheDepth)
+{
+  // A crowd in the box around the edge, met before the point in the way, but not in the way itself.
+  for (const std::size_t crowd : {100U, 2000U, 3000U}) {
+    Passage passage(4.0F * depth, -depth);
+    passage.points.insert(passage.points.end(), crowd, {0.4F * depth, 0.0F, -1.9F * depth});
+    passage.normals.insert(passage.normals.end(), crowd, {0.0F, 0.0F, 1.0F});
+    EXPECT_EQ(passage.isBarred(), crowd < 2048U) << crowd;
+  }
+}
+
 TEST(ContactBarrier, DoesNotBarWhatIsMuchTooLongForAContact)
 {
   EXPECT_FALSE(Passage(65.0F * depth, -depth).isBarred());

@@ -47,6 +47,18 @@ operator new[](std::size_t size)
   return allocate(size);
 }
 
+// The sanitizers' own would take its memory from elsewhere than the others.
+void*
+operator new(std::size_t size, const std::nothrow_t& /*no_exception*/) noexcept
+{
+  try {
+    return allocate(size);
+  }
+  catch (const std::bad_alloc& /*as wanted*/) {
+    return nullptr;
+  }
+}
+
 void
 operator delete(void* memory) noexcept
 {

@@ -121,7 +121,12 @@ TEST(Progress, IsHeardSeveralTimesASecond)
     LongestSilence silence;
     EXPECT_TRUE(
         hasMap(estimateIntrinsicSymmetry(body, parameters, [&](const char*, double) { return silence(); }).status));
-    EXPECT_LT(silence.seconds(), 0.5) << (as_cloud ? "cloud" : "mesh"); // 0.1 on a machine of 2020
+#ifdef PCL_SYMMETRY_SANITIZED
+    constexpr double longest = 5.0; // the thread sanitizer takes ten times as long
+#else
+    constexpr double longest = 0.5; // 0.1 on a machine of 2020
+#endif
+    EXPECT_LT(silence.seconds(), longest) << (as_cloud ? "cloud" : "mesh");
   }
 }
 

@@ -45,6 +45,19 @@ writeFiles(const std::filesystem::path& folder)
   write(folder / "newer.vtk", "\x06# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
                               "0 0 0 1 0 0 0 1 0\nPOLYGONS 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n"
                               "0 1 2\n");
+  // Binary: three points, one polygon, and what VTK writes with arrays.
+  const std::string corners("\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2", 16);
+  write(folder / "binary.vtk", "\x06# vtk DataFile Version 4.2\nx\nBINARY\nDATASET POLYDATA\nFIELD FieldData 2\n"
+                               "s 1 2 string\n\xC1z\xC0\nb 1 9 bit\nU@\nPOINTS 3 float\n" +
+                                   std::string(36, '?') + "\nMETADATA\nCOMPONENT_NAMES\nx\n\nz\nINFORMATION 1\n" +
+                                   "NAME R LOCATION V\nDATA 2 0 1 \n\nPOLYGONS 1 4\n" + corners + "\n");
+  write(folder / "strings.vtk", "\x06# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nFIELD FieldData 1\n"
+                                "s 1 2 string\na%20b\n\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nMETADATA\n"
+                                "INFORMATION 1\nNAME W LOCATION V\nDATA 2\na\n\n\nTRIANGLE_STRIPS 2 3\n"
+                                "OFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n0 1 2\n");
+  write(folder / "binary.off", "\x03NOFF BINARY\n" + std::string("\0\0\0\3\0\0\0\1\0\0\0\0", 12) +
+                                   std::string(72, '?') + corners + std::string(4, '\0'));
+  write(folder / "prefixes.off", "\x03STCN4OFF\n1 1 0\n0 0 0 1 0 0 1 1 1 1 1 0.5 0.5\n3 0 0 0 1 0 0\n");
   write(folder / "quads.obj", "\x02v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf -4//1 -3//1 -2//1 -1//1\n");
 }
 

@@ -65,6 +65,34 @@ TEST(BucketQueue, FindsTheLeastOfAllPathSums)
   }
 }
 
+/** A long narrow band of short edges beside a few that are a million times as long: all of it lies in one bucket, where what
+ * comes first is seldom nearest. */
+TEST(BucketQueue, ExpandsACrowdedBucketNearestFirst)
+{
+  constexpr Index rows = 8;
+  constexpr Index columns = 4000;
+  std::mt19937 random(9);
+  std::vector<GraphEdge> edges;
+  const auto join = [&](Index a, Index b) {
+    edges.push_back({a, b, 1e-6F * evenLength(random)});
+  };
+  for (Index v = 0; v < rows * columns; ++v) {
+    if (v % rows + 1 < rows)
+      join(v, v + 1);
+    if (v + rows < rows * columns)
+      join(v, v + rows);
+  }
+  for (Index v = rows * columns; v < rows * columns + 400; ++v)
+    edges.push_back({v - 1, v, 100.0F});
+  const SurfaceGraph graph = buildGraph(rows * columns + 400, edges);
+  BucketQueue queue(graph);
+  std::vector<float> distances = startingAt(graph.size(), {0});
+  std::size_t improvements = 0;
+  queue.relax({0}, distances.data(), [&improvements](Index, Index) { ++improvements; });
+  EXPECT_EQ(distances, lowered(graph, startingAt(graph.size(), {0})));
+  EXPECT_LT(improvements, 2 * graph.size());
+}
+
 TEST(BucketQueue, TakesEdgesOfLengthZeroAndVeryLongOnes)
 {
   const SurfaceGraph graph = randomGraph(300, 4, [](std::mt19937& random) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace pcl::symmetry;
 
@@ -72,7 +73,7 @@ attemptsOf(const Surface& surface, float known_holes)
   const SymmetryParameters parameters;
   const NeighbourSearch neighbours = search;
   InterpretationPlan plan(surface, parameters, neighbours);
-  EXPECT_EQ(plan.pooling(), Pooling::Odds);
+  EXPECT_EQ(plan.pooling(), surface.hasFaces() ? Pooling::Odds : Pooling::Votes);
   RivalInterpretations rivals(plan.pooling());
   Attempts attempts;
   while (std::optional<InterpretationPlan::Attempt> attempt = plan.next(rivals)) {
@@ -102,6 +103,25 @@ TEST(InterpretationPlan, AMeshInDoubtWithHolesIsReadAsACloudFirst)
   EXPECT_TRUE(attempts.is_cloud[1]);
   EXPECT_FALSE(attempts.is_cloud.back());
   EXPECT_GT(attempts.samples.back(), 1.2F);
+}
+
+TEST(InterpretationPlan, ACloudOfNoSizeIsNotReadWithDepthsOfSpacings)
+{
+  // Directions evenly spread, distances from the centre of one size, or of a thousand million.
+  const auto attemptsAtDistances = [](float decades) {
+    Surface cloud;
+    constexpr int points = 1500;
+    for (int i = 0; i < points; ++i) {
+      const float z = 1.0F - (2.0F * static_cast<float>(i) + 1.0F) / points;
+      const float across = std::sqrt(1.0F - z * z);
+      const float angle = 2.399963F * static_cast<float>(i);
+      const float r = std::pow(10.0F, -decades * static_cast<float>(i * 7 % points) / points);
+      cloud.points.push_back({r * across * std::cos(angle), r * across * std::sin(angle), r * z});
+    }
+    return attemptsOf(cloud, 0.0F).samples.size();
+  };
+  EXPECT_GE(attemptsAtDistances(0.0F), 4U);
+  EXPECT_LE(attemptsAtDistances(9.0F), 3U);
 }
 
 TEST(InterpretationPlan, NothingIsTriedAfterWhatIsBeyondDoubt)

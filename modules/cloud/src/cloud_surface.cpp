@@ -19,7 +19,6 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <tuple>
 
 namespace pcl {
@@ -153,20 +152,23 @@ public:
   {
   }
 
-  /** Whether there is a way between two vertices no longer than \a limit. */
+  /** Whether there is a way between two vertices no longer than \a limit, among the points nearest to it. */
   bool
   isNear(Index from, Index to, float limit)
   {
     constexpr float rounding = 1.0001F;
     bool found = false;
+    std::size_t passed = 0;
     push(from, 0.0F, 0.0F);
-    while (!queue_.empty() && !found) {
-      const auto [least, d, v] = queue_.top();
-      queue_.pop();
+    while (!queue_.empty() && !found && passed < settings.restored_points) {
+      std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
+      const auto [least, d, v] = queue_.back();
+      queue_.pop_back();
       if (d > distance_[v]) {
         continue;
       }
       found = v == to;
+      ++passed;
       for (const auto [next, length] : graph_.edges(v)) {
         const float through = d + length;
         if (through <= limit && through < distance_[next]) {
@@ -181,7 +183,7 @@ public:
       distance_[v] = unreachable;
     }
     reached_.clear();
-    queue_ = {};
+    queue_.clear();
     return found;
   }
 
@@ -191,7 +193,8 @@ private:
   {
     distance_[v] = d;
     reached_.push_back(v);
-    queue_.push({whole, d, v});
+    queue_.emplace_back(whole, d, v);
+    std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
   }
 
   using Entry = std::tuple<float, float, Index>; // least length of the whole way, length so far, vertex
@@ -199,7 +202,7 @@ private:
   const SurfaceGraph& graph_;
   std::vector<float> distance_;
   std::vector<Index> reached_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  std::vector<Entry> queue_; ///< a heap, the least on top
 };
 
 /** Tells edges to one of the nearest neighbours of either end. */
@@ -239,9 +242,11 @@ restoreHarmless(const std::vector<Vector3>& points,
   std::vector<GraphEdge> ways;
   std::copy_if(trusted.begin(), trusted.end(), std::back_inserter(ways), is_near);
   const SurfaceGraph graph = buildGraph(points.size(), ways);
-  moveEdges(distrusted, trusted, [&points, &graph, &is_near, detour] {
-    return [search = LocalSearch(points, graph), &is_near, detour](const GraphEdge& edge) mutable {
-      return is_near(edge) && search.isNear(edge.a, edge.b, detour * edge.length);
+  const Components parts = connectedComponents(graph); // a search between two of them would go through all of one
+  moveEdges(distrusted, trusted, [&points, &graph, &parts, &is_near, detour] {
+    return [search = LocalSearch(points, graph), &parts, &is_near, detour](const GraphEdge& edge) mutable {
+      return parts.component_of[edge.a] == parts.component_of[edge.b] && is_near(edge) &&
+             search.isNear(edge.a, edge.b, detour * edge.length);
     };
   });
 }

@@ -46,7 +46,8 @@ ContactBarrier::isCrossedBy(const GraphEdge& edge) const
   return false;
 }
 
-/** Whether a point in the box around \a begin and \a end, part of the way from a to b, is in that way. */
+/** Whether a point in the box around \a begin and \a end, part of the way from a to b, is in that way. Where points are so
+ * much closer to each other than the depth that the box is full of them, the depth tells nothing. */
 bool
 ContactBarrier::isMetBetween(const Vector3& begin, const Vector3& end, const Vector3& a, const Vector3& b) const
 {
@@ -61,19 +62,26 @@ ContactBarrier::isMetBetween(const Vector3& begin, const Vector3& end, const Vec
   const float inverse_square = 1.0F / std::max(dot(along, along), std::numeric_limits<float>::min());
   const float beyond = rounding * clearance_ * clearance_;
   const auto steps = std::max(2, static_cast<int>(std::ceil(distance(a, b) / (0.5F * clearance_))));
-  bool is_met = false;
-  grid_.visitBox(low, high, [&](Index v) {
+  std::size_t visited = 0;
+  bool is_crowded = false;
+  const bool is_met = grid_.anyInBox(low, high, [&](Index v) {
+    is_crowded = ++visited > settings.barrier_points;
+    if (is_crowded) {
+      return true;
+    }
     const Vector3 offset = points_[v] - a;
     const Vector3 nearest = std::clamp(inverse_square * dot(offset, along), 0.0F, 1.0F) * along;
     if (dot(offset - nearest, offset - nearest) > beyond) {
-      return; // most are
+      return false; // most are
     }
-    for (int i = 0; i <= steps && !is_met; ++i) {
+    bool is_in_the_way = false;
+    for (int i = 0; i <= steps && !is_in_the_way; ++i) {
       const Vector3 place = a + (static_cast<float>(i) / static_cast<float>(steps)) * along;
-      is_met = distance(points_[v], place) < clearance_;
+      is_in_the_way = distance(points_[v], place) < clearance_;
     }
+    return is_in_the_way;
   });
-  return is_met;
+  return is_met && !is_crowded;
 }
 
 } // namespace symmetry

@@ -36,6 +36,11 @@ public:
   bool
   nextLine();
 
+  /** \brief Goes to the line behind this one, even where it holds no word, leaving unread what is left of this one; false
+   * at the end. */
+  bool
+  nextLineOrEmpty();
+
   /** \brief Goes to the next line that holds a word.
    * \throws pcl::IOException the text ends instead: "`expected` ..."
    */

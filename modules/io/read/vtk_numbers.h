@@ -56,15 +56,34 @@ public:
   std::vector<std::int64_t>
   readIntegers(std::size_t count, ScalarType type);
 
-  /** \brief Integers below a line of a keyword and their type, as from version 5 on. */
+  /** \brief Integers below a line of a keyword and their type, as from version 5 on; METADATA may come before. */
   std::vector<std::int64_t>
   readNamedIntegers(const char* name, std::size_t count);
 
-  /** \brief Passes over numbers below the line. */
+  /** \brief Passes over an array whose name has just been read: of numbers of any type, of bits or of strings.
+   * \return its number of components */
+  std::size_t
+  passOverArray();
+
+  /** \brief Passes over what VTK writes behind an array, the line of METADATA having been read: names of its components
+   * and a list of keys. An empty line ends it.
+   * \param[in] components of the array: each has a line, empty where the component has no name */
+  void
+  passOverMetadata(std::size_t components);
+
+private:
+  ScalarType
+  typeOf(std::string_view name) const;
+
   void
   passOver(std::size_t count, ScalarType type);
 
-private:
+  void
+  passOverStrings(std::size_t count);
+
+  void
+  goTo(std::size_t byte);
+
   ScalarColumn
   takeBinary(std::size_t count, ScalarType type);
 

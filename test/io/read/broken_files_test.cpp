@@ -33,6 +33,7 @@ const std::string ply_points = "ply\nformat ascii 1.0\nelement vertex 2\npropert
                                "property float z\nend_header\n"; // 7 lines
 const std::string pcd_xyz =
     "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n";
+const std::string xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\">\n";
 
 std::string
 replaced(std::string text, const std::string& from, const std::string& to)
@@ -44,6 +45,9 @@ const std::vector<BrokenFile> broken_files = {
     // Any format
     {"empty.ply", "", {"empty"}},
     {"unknown.stp", "0 0 0\n", {"unknown ending", ".stp"}},
+    {"xml.vtp", xml, {".vtp files", "not read", "legacy file, .vtk, or as .ply"}},
+    {"xml.VTU", xml, {".vtu files", "not read", "legacy file, .vtk, or as .ply"}},
+    {"xml.vtk", xml, {"line 1", "XML is not read", "legacy file, or as .ply"}},
     {"packed.ply", "\x1F\x8B\x08", {"compressed by gzip", ".gz"}},
     {"text.ply.gz", "ply\n", {"not compressed by gzip"}},
     {"wide.obj", std::string("\xFF\xFEv\0 \0", 6), {"UTF-16"}},

@@ -5,10 +5,12 @@
 
 #include <pcl/symmetry/surface_io.h>
 
+#include <boost/crc.hpp>
 #include <gtest/gtest.h>
 #include <pcl/exceptions.h>
 
 #include <cstdint>
+#include <utility>
 
 namespace pcl {
 namespace symmetry {
@@ -89,6 +91,82 @@ TEST_F(ReadScene, AMeshIsWhereItsNodesPutIt)
   EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{3, 2, 1}, {9, 8, 7}}));
 }
 
+/** A zip archive of entries as they are, not compressed. */
+std::string
+zip(const std::vector<std::pair<std::string, std::string>>& entries)
+{
+  const auto two = [](std::size_t number) {
+    return Bytes().add(static_cast<std::uint16_t>(number)).str();
+  };
+  const auto four = [](std::size_t number) {
+    return Bytes().add(static_cast<std::uint32_t>(number)).str();
+  };
+  std::string files;
+  std::string directory;
+  for (const auto& [name, content] : entries) {
+    boost::crc_32_type sum;
+    sum.process_bytes(content.data(), content.size());
+    // Version, flags, method, time, the first of January 1980, sum, both sizes, lengths of name and of nothing else.
+    const std::string description = two(20) + two(0) + two(0) + two(0) + two(0x21) + four(sum.checksum()) +
+                                    four(content.size()) + four(content.size()) + two(name.size()) + two(0);
+    directory += "PK\x01\x02" + two(20) + description + two(0) + two(0) + two(0) + four(0) + four(files.size()) + name;
+    files += "PK\x03\x04" + description + name + content;
+  }
+  return files + directory + "PK\x05\x06" + two(0) + two(0) + two(entries.size()) + two(entries.size()) +
+         four(directory.size()) + four(files.size()) + two(0);
+}
+
+/** \param[in] faces of an object of the places above, each \param[in] items of the build */
+std::string
+threeMf(const std::vector<std::vector<Triangle>>& faces, const std::string& items)
+{
+  std::string objects;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    objects += R"(<object id=")" + std::to_string(i + 1) + R"(" type="model"><mesh><vertices>)";
+    for (const Vector3& p : places)
+      objects += R"(<vertex x=")" + std::to_string(p[0]) + R"(" y=")" + std::to_string(p[1]) + R"(" z=")" +
+                 std::to_string(p[2]) + R"(" />)";
+    objects += "</vertices><triangles>";
+    for (const Triangle& t : faces[i])
+      objects += R"(<triangle v1=")" + std::to_string(t[0]) + R"(" v2=")" + std::to_string(t[1]) + R"(" v3=")" +
+                 std::to_string(t[2]) + R"(" />)";
+    objects += "</triangles></mesh></object>";
+  }
+  const std::string first = R"(<?xml version="1.0" encoding="UTF-8"?>)";
+  return zip(
+      {{"[Content_Types].xml",
+        first + R"(<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels"
+          ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model"
+          ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>)"},
+       {"_rels/.rels",
+        first + R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship
+          Id="rel0" Target="/3D/3dmodel.model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+          </Relationships>)"},
+       {"3D/3dmodel.model",
+        first +
+            R"(<model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>)" +
+            objects + "</resources><build>" + items + "</build></model>"}});
+}
+
+TEST_F(ReadScene, PointsOf3mfKeepTheirNumbers)
+{
+  const std::vector<Triangle> faces = {{3, 2, 1}, {3, 1, 0}, {2, 4, 0}};
+  const Surface surface = readSurface(write("a.3MF", threeMf({faces}, R"(<item objectid="1" />)")));
+  EXPECT_EQ(surface.points, places);
+  EXPECT_EQ(surface.triangles, faces);
+}
+
+TEST_F(ReadScene, ObjectsOf3mfComeInTheOrderOfTheFile)
+{
+  const Surface surface =
+      readSurface(write("a.3mf", threeMf({{{3, 2, 1}}, {{0, 1, 2}}}, R"(<item objectid="1" /><item objectid="2"
+                                          transform="1 0 0 0 1 0 0 0 1 10 20 30" />)")));
+  ASSERT_EQ(surface.size(), 12U);
+  EXPECT_EQ(surface.points[5], places[5]);
+  EXPECT_EQ(surface.points[6], (Vector3{11, 21, 30}));
+  EXPECT_EQ(surface.triangles, (std::vector<Triangle>{{3, 2, 1}, {6, 7, 8}}));
+}
+
 TEST_F(ReadScene, NoOtherFileIsOpened)
 {
   std::string bytes;
@@ -110,6 +188,13 @@ TEST_F(ReadScene, RefusesWhatIsNone)
   expectInMessage(messageOf<IOException>([&] { readSurface(write("a.glb", whole.substr(0, whole.size() - 40))); }),
                   {"a.glb", "assimp"});
   expectInMessage(messageOf<IOException>([&] { readSurface(write("a.3mf", "PK")); }), {"a.3mf", "assimp"});
+  // A zip archive ends with 22 bytes that say where its directory is.
+  const std::string whole_3mf = threeMf({{{3, 2, 1}}}, R"(<item objectid="1" />)");
+  for (const std::size_t size : {whole_3mf.size() - 22, whole_3mf.size() / 2, std::size_t{30}})
+    expectInMessage(messageOf<IOException>([&] { readSurface(write("a.3mf", whole_3mf.substr(0, size))); }), {"a.3mf"});
+  const std::string wrong_corner = threeMf({{{3, 2, 6}}}, R"(<item objectid="1" />)");
+  expectInMessage(messageOf<IOException>([&] { readSurface(write("a.3mf", wrong_corner)); }),
+                  {"a.3mf", "point 6 of 6"});
 }
 
 } // namespace

@@ -70,6 +70,17 @@ TEST_F(TextScannerTest, CommentsAndContinuedLinesWhereTheFormatHasThem)
   EXPECT_EQ(wordsOf(content), (Lines{{"a#b", "c"}, {"#d"}, {"e\\"}, {"f", "\\"}, {"g"}}));
 }
 
+TEST_F(TextScannerTest, EmptyLinesWhereTheyCount)
+{
+  const FileContent file = text("a b\r\n\n c\n\n\nd");
+  TextScanner scanner(file);
+  std::vector<std::string> words;
+  while (scanner.nextLineOrEmpty())
+    words.emplace_back(scanner.word()); // what is left of the first line stays unread
+  EXPECT_EQ(words, (std::vector<std::string>{"a", "", "c", "", "", "d"}));
+  EXPECT_EQ(scanner.line(), 6U);
+}
+
 TEST_F(TextScannerTest, LinesAreCountedFromOne)
 {
   const FileContent file = text("a\r\n\r\nb c\rd");

@@ -34,6 +34,9 @@ readByEnding(const FileContent& file, const std::string& ending, Reading& readin
     if (ending == optional)
       file.fail(ending +
                 " files are read where the library is built with PCL_SYMMETRY_WITH_ASSIMP, which this one is not");
+  for (const char* xml : {".vtp", ".vtu"})
+    if (ending == xml)
+      file.fail(ending + " files, VTK's XML, are not read: save the surface as a legacy file, .vtk, or as .ply");
   file.fail("unknown ending '" + ending +
             "': a surface is read from .pcd, .ply, .obj, .off, .stl, .vtk or .xyz (.txt, .asc, " +
             ".pts), or from such a file compressed, with .gz behind");

@@ -44,7 +44,9 @@ private:
     constexpr std::string_view mark = "# vtk DataFile Version ";
     numbers_.text().needLine("'# vtk DataFile'");
     if (file_.view().substr(numbers_.text().position(), mark.size()) != mark)
-      numbers_.text().fail("not a VTK file of the legacy form");
+      numbers_.text().fail(numbers_.text().ahead(1) == "<"
+                               ? "VTK's XML is not read: save the surface as a legacy file, or as .ply"
+                               : "not a VTK file of the legacy form");
     is_listed_apart_ = file_.view().substr(numbers_.text().position() + mark.size(), 1) >= "5";
     // The title may be empty, and the scanner passes over empty lines.
     numbers_.text().needLine("'ASCII' or 'BINARY'");
@@ -89,7 +91,9 @@ private:
       passOverField();
     else if (keyword == "point_data" || keyword == "cell_data")
       return false;
-    else if (keyword != "metadata" && keyword != "information" && keyword != "name" && keyword != "data")
+    else if (keyword == "metadata")
+      numbers_.passOverMetadata(components_);
+    else
       numbers_.text().fail("unknown section " + quoted(std::string_view(keyword)));
     return true;
   }
@@ -102,13 +106,12 @@ private:
     const std::size_t arrays = numbers_.readCount();
     for (std::size_t i = 0; i < arrays; ++i) {
       numbers_.text().needLine("an array of the field");
-      numbers_.text().word();
-      const std::uint64_t components = numbers_.readCount();
-      const std::uint64_t values = components * numbers_.readCount();
-      const ScalarType type = numbers_.readType();
-      if (values > point_limit)
-        numbers_.text().fail("an array of " + std::to_string(values) + " values");
-      numbers_.passOver(values, type);
+      if (toLower(numbers_.text().word()) == "metadata" && numbers_.text().atLineEnd()) { // of the array before
+        numbers_.passOverMetadata(components_);
+        numbers_.text().needLine("an array of the field");
+        numbers_.text().word();
+      }
+      components_ = numbers_.passOverArray();
     }
   }
 
@@ -121,6 +124,7 @@ private:
       numbers_.text().fail("a second list of points");
     reading_.single_precision = is_binary_ && type == ScalarType::Float32;
     surface_.points = numbers_.readPoints(count, type, reading_.origin);
+    components_ = 3;
   }
 
   CornerLists
@@ -138,6 +142,7 @@ private:
         lists.begins.push_back(static_cast<std::size_t>(begin));
       }
       lists.corners = numbers_.readNamedIntegers("CONNECTIVITY", size);
+      components_ = 1;
       return lists;
     }
     const std::vector<std::int64_t> integers = numbers_.readIntegers(size, ScalarType::Int32);
@@ -208,6 +213,7 @@ private:
   bool is_binary_ = false;
   bool is_listed_apart_ = false; ///< offsets and corners in a list each
   bool has_cells_ = false;
+  std::size_t components_ = 1; ///< of the array that was read last
   CornerLists cells_;
   std::vector<std::int64_t> types_;
   Surface surface_;

@@ -97,6 +97,19 @@ TextScanner::nextLine()
   return next_ != end_;
 }
 
+bool
+TextScanner::nextLineOrEmpty()
+{
+  if (in_line_) {
+    while (!atLineEnd())
+      ++next_;
+    if (next_ != end_)
+      passLineEnd();
+  }
+  in_line_ = true;
+  return next_ != end_;
+}
+
 void
 TextScanner::needLine(const char* expected)
 {
