@@ -73,6 +73,7 @@ runAllOf(const BenchmarkModel& model, const std::vector<Ablation>& changes, cons
   InterpretationPlan plan(input.input.surface, parameters, search);
   const std::optional<InterpretationPlan::Attempt> first = plan.next(RivalInterpretations(plan.pooling()));
   std::vector<AblationRun> runs;
+  runs.reserve(changes.size());
   for (const Ablation& change : changes) {
     runs.push_back(runAblation(model, input, first->surface, parameters, change.settings));
   }

@@ -331,6 +331,7 @@ chooseView(const Surface& surface, const SymmetryResult& result, const std::vect
     directions.insert(directions.begin(), principal.begin(), principal.end());
   }
   std::vector<PictureView> views;
+  views.reserve(directions.size());
   for (const Vector3& direction : directions)
     views.push_back(makeView(scene, direction, level));
   PictureView best = bestOf(scene, views, has_pairs);

@@ -17,8 +17,8 @@ struct NameComparison {
    * call the same side source. */
   double chiralities = 0.0;
 
-  /** \brief Which fits better by what share of the worse one, and a little of the chiralities, which decide where both
-   * fit about as well: positive for the same names, in [-1, 1]. */
+  /** \brief Which fits better by what share of the worse one, and a little of the chiralities: positive for the same names,
+   * in [-1, 1]. Where that is below SideNaming::doubtful the maps hardly tell, and the sign is that of the chiralities. */
   double
   margin() const;
 };

@@ -77,6 +77,10 @@ TEST(NameComparison, MarginIsAShareOfTheWorseFitAndALittleOfTheChiralities)
   EXPECT_DOUBLE_EQ((NameComparison{0.8, 0.2, 0.0}).margin(), -0.75);
   EXPECT_NEAR((NameComparison{0.5, 0.5, -1.0}).margin(), -0.15, 1e-12);
   EXPECT_DOUBLE_EQ((NameComparison{0.0, 1.0, 1.0}).margin(), 1.0);
+  // Below what can be told the chiralities have the say, above it they have not.
+  EXPECT_NEAR((NameComparison{0.5, 0.45, 0.2}).margin(), 0.07, 1e-12);
+  EXPECT_NEAR((NameComparison{0.5, 0.4, 0.2}).margin(), -0.17, 1e-12);
+  EXPECT_NEAR((NameComparison{0.5, 0.45, 0.0}).margin(), -0.1, 1e-12);
 }
 
 } // namespace

@@ -15,10 +15,7 @@ namespace {
 std::vector<float>
 pointAreas(const PreparedSurface& surface)
 {
-  if (surface.triangles.empty()) {
-    return std::vector<float>(surface.size(), 1.0F);
-  }
-  std::vector<float> areas(surface.size(), 0.0F);
+  std::vector<float> areas(surface.size(), surface.triangles.empty() ? 1.0F : 0.0F);
   for (const Triangle& t : surface.triangles) {
     const Vector3& a = surface.points[t[0]];
     const float area = norm(cross(surface.points[t[1]] - a, surface.points[t[2]] - a)) / 6.0F;

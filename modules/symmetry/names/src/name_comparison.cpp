@@ -4,6 +4,8 @@
 #include "symmetry/names/name_settings.h"
 #include "symmetry/search/row_search.h"
 
+#include <pcl/symmetry/symmetry_result.h>
+
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
@@ -251,7 +253,9 @@ NameComparison::margin() const
 {
   const double worse = std::max(same, opposite);
   const double by_maps = worse > 0.0 ? (opposite - same) / worse : 0.0;
-  return std::clamp(by_maps + settings.chirality_share * chiralities, -1.0, 1.0);
+  const double together = std::clamp(by_maps + settings.chirality_share * chiralities, -1.0, 1.0);
+  const bool is_doubtful = std::abs(together) < static_cast<double>(SideNaming::doubtful);
+  return is_doubtful && chiralities != 0.0 ? std::copysign(together, chiralities) : together;
 }
 
 NameComparison
