@@ -39,10 +39,10 @@ public:
   bool
   isExchangeable(std::size_t a, std::size_t b) const
   {
-    const auto goesTo = [this](std::size_t from, std::size_t to) {
+    const auto goes_to = [this](std::size_t from, std::size_t to) {
       return partners_[from] == static_cast<Index>(to);
     };
-    return (goesTo(a, a) && goesTo(b, b)) || (goesTo(a, b) && goesTo(b, a));
+    return (goes_to(a, a) && goes_to(b, b)) || (goes_to(a, b) && goes_to(b, a));
   }
 
   /** The same but for two ends. */

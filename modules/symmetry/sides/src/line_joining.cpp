@@ -141,6 +141,7 @@ void
 join(const Gap& gap, const std::vector<Index>& path, std::vector<ZeroLine>& lines)
 {
   std::vector<ZeroCrossing> between;
+  between.reserve(path.size());
   for (const Index v : path) {
     between.push_back({v, v, 0.0F});
   }
