@@ -18,7 +18,7 @@ namespace symmetry {
 std::vector<UnsupportedPart>
 unsupportedParts(const PreparedSurface& surface, const std::vector<char>& is_unsupported);
 
-/** \brief Share of the area (of a cloud: of the points) that has a partner.
+/** \brief Share of the area (where there are no triangles: of the points) that has a partner.
  * \param[in] partners one per point, no_index where there is none */
 float
 shareWithPartner(const PreparedSurface& surface, const std::vector<Index>& partners);
