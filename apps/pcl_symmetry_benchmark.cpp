@@ -166,10 +166,15 @@ runNames(const BenchmarkOptions& options)
 int
 runAblation(const BenchmarkOptions& options)
 {
-  const std::vector<BenchmarkModel> models = selectModels(options);
-  const std::vector<std::vector<AblationRun>> runs = runAblations(models, options.run, options.jobs, std::cerr);
+  const std::vector<std::vector<ModelRun>> runs = runAblations(selectModels(options), options.run, options.jobs);
   printAblations(std::cout, runs);
-  return runs.front().size() == models.size() ? exit_done : exit_failed;
+  bool is_complete = true;
+  for (const ModelRun& run : runs.front())
+    if (!run.failure.empty()) {
+      std::cerr << run.model.set << '/' << run.model.name << ": " << run.failure << '\n';
+      is_complete = false;
+    }
+  return is_complete ? exit_done : exit_failed;
 }
 
 void

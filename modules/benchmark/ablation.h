@@ -23,23 +23,17 @@ struct Ablation {
 std::vector<Ablation>
 ablations();
 
-/** \brief How one ablation did on one model. */
-struct AblationRun {
-  BenchmarkModel model;
-  double rate = 0.0;    ///< Correspondence Rate of the map, delivered or not; 0 without one
-  double seconds = 0.0; ///< of the estimation on the prepared surface
-};
-
 /** \brief Runs every ablation on the first interpretation of every model, \a jobs at a time: what other interpretations
- * repair is not repaired. Models that fail are left out with a line to \a errors.
- * \return per ablation, in the order of ablations (), a run for every model */
-std::vector<std::vector<AblationRun>>
-runAblations(const std::vector<BenchmarkModel>& models, const RunOptions& options, unsigned jobs, std::ostream& errors);
+ * repair is not repaired. The map is scored whether it would be delivered or not.
+ * \return per ablation, in the order of ablations (), the runs of all models; a failure is part of its run */
+std::vector<std::vector<ModelRun>>
+runAblations(const std::vector<BenchmarkModel>& models, const RunOptions& options, unsigned jobs);
 
-/** \brief A line for each ablation: rate and Mesh Rate of each set (means over its classes) and time over that of the
- * whole method. */
+/** \brief A line for each ablation: rate and Mesh Rate of each set and the median of the times over those of the whole
+ * method.
+ * \param[in] runs as runAblations () returns them */
 void
-printAblations(std::ostream& out, const std::vector<std::vector<AblationRun>>& runs);
+printAblations(std::ostream& out, const std::vector<std::vector<ModelRun>>& runs);
 
 } // namespace symmetry
 } // namespace pcl

@@ -1,4 +1,5 @@
 #include "benchmark/ablation.h"
+#include "benchmark/runs.h"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +11,15 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-AblationRun
-makeRun(const std::string& class_name, double rate, double seconds)
+using test::makeFailedRun;
+using test::makeRun;
+
+/** A run of a cat or dog of which so many of four vertices are right. */
+ModelRun
+timedRun(const std::string& class_name, int right_vertices, double seconds)
 {
-  AblationRun run;
-  run.model.set = "Made";
-  run.model.class_name = class_name;
-  run.rate = rate;
-  run.seconds = seconds;
+  ModelRun run = makeRun("Made", class_name, class_name + "0", right_vertices);
+  run.seconds = {{"estimation", seconds}};
   return run;
 }
 
@@ -36,21 +38,29 @@ TEST(Ablations, BeginWithTheWholeMethodAndHaveNamesOfTheirOwn)
 
 TEST(Ablations, ClassesCountAlikeAndTimesAreRelative)
 {
-  // Two cats, of which the second is slow, and a dog.
-  const std::vector<AblationRun> whole{makeRun("cat", 1.0, 2.0), makeRun("cat", 0.5, 8.0), makeRun("dog", 1.0, 1.0)};
-  const std::vector<AblationRun> less{makeRun("cat", 0.5, 1.0), makeRun("cat", 0.5, 4.0), makeRun("dog", 0.8, 1.0)};
+  // Two cats, of which the second is slow, and a dog; a rate of 75 % is not right.
+  const std::vector<ModelRun> whole{timedRun("cat", 4, 2.0), timedRun("cat", 2, 8.0), timedRun("dog", 4, 1.0)};
+  const std::vector<ModelRun> less{timedRun("cat", 2, 1.0), timedRun("cat", 2, 4.0), timedRun("dog", 3, 1.0)};
   std::ostringstream out;
   printAblations(out, {whole, less});
   const std::string table = out.str();
   EXPECT_NE(table.find("Made"), std::string::npos);
   EXPECT_NE(table.find("87.5 / 75.0    1.00"), std::string::npos) << table;
-  EXPECT_NE(table.find("65.0 / 50.0    0.50"), std::string::npos) << table;
+  EXPECT_NE(table.find("62.5 /  0.0    0.50"), std::string::npos) << table;
+}
+
+TEST(Ablations, AFailureCountsAsWrongAndHasNoTime)
+{
+  const std::vector<ModelRun> runs{timedRun("cat", 4, 2.0), makeFailedRun("Made", "cat", "cat1")};
+  std::ostringstream out;
+  printAblations(out, {runs});
+  EXPECT_NE(out.str().find("50.0 / 50.0    1.00"), std::string::npos) << out.str();
 }
 
 TEST(Ablations, WithoutModelsThereIsATableWithoutSets)
 {
   std::ostringstream out;
-  printAblations(out, std::vector<std::vector<AblationRun>>(ablations().size()));
+  printAblations(out, std::vector<std::vector<ModelRun>>(ablations().size()));
   EXPECT_NE(out.str().find("whole method"), std::string::npos);
 }
 

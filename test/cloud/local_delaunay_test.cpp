@@ -261,8 +261,8 @@ TEST(ConformingTriangles, CoverALatticeOnce)
     all.push_back(i);
   }
   const Sampling sampling = inPlane(lattice, 8);
-  EXPECT_TRUE(localDelaunayTriangles(sampling.points, sampling.normals, sampling.graph).size() <
-              static_cast<std::size_t>(size * size))
+  EXPECT_LT(localDelaunayTriangles(sampling.points, sampling.normals, sampling.graph).size(),
+            static_cast<std::size_t>(size * size))
       << "fans that agree would be enough";
   const std::vector<Triangle> triangles = conformingTriangles(sampling.points, sampling.normals, sampling.graph, all);
   EXPECT_EQ(triangles.size(), 2U * (size - 1) * (size - 1));

@@ -49,6 +49,20 @@ expectOrthonormal(const PictureView& view)
   EXPECT_NEAR(dot(cross(view.right, view.up), view.toward), 1.0F, 1e-5F) << "right-handed: not mirrored";
 }
 
+TEST(PictureView, LooksAtRightAnglesToThePlaneBetweenTheSides)
+{
+  // Pairs that lead aslant, as where partners are the nearest of few vertices: the plane says where the sides face.
+  Plate plate;
+  plate.result.plane.normal = {-1.0, 0.0, 0.0};
+  for (std::size_t v = 0; v < plate.surface.size(); ++v) {
+    plate.surface.points[v][2] = plate.surface.points[v][0] > 0.0F ? 0.4F : 0.0F;
+  }
+  const PictureView view = plate.view();
+  expectOrthonormal(view);
+  EXPECT_NEAR(view.toward[0], 0.0F, 1e-5F);
+  EXPECT_NEAR(std::abs(view.right[0]), 1.0F, 1e-5F);
+}
+
 TEST(PictureView, ShowsAPlateFromTheFrontAndAllOfIt)
 {
   const Plate plate;

@@ -7,13 +7,12 @@
 #include "benchmark/interpretation_map.h"
 #include "benchmark/metrics.h"
 #include "benchmark/model_input.h"
+#include "benchmark/summary.h"
 #include "symmetry/interpretations.h"
 
-#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <iomanip>
-#include <map>
 #include <optional>
 #include <ostream>
 #include <utility>
@@ -22,60 +21,45 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-/** \brief The accuracy of the models of one set. */
-struct SetAccuracy {
-  std::map<std::string, std::vector<double>> rates_of_class;
-
-  /** The mean over the classes of the mean of some figure of each rate. */
-  template <typename Figure>
-  double
-  meanOfClasses(Figure figure) const
-  {
-    double sum = 0.0;
-    for (const auto& [name, rates] : rates_of_class) {
-      double of_class = 0.0;
-      for (const double rate : rates) {
-        of_class += figure(rate);
-      }
-      sum += of_class / static_cast<double>(rates.size());
-    }
-    return sum / static_cast<double>(rates_of_class.size());
-  }
-};
-
-AblationRun
-runAblation(const BenchmarkModel& model,
+void
+runAblation(ModelRun& run,
             const ModelInput& input,
             const PreparedSurface& surface,
             const SymmetryParameters& parameters,
             const RobustSettings& settings)
 {
   using Clock = std::chrono::steady_clock;
-  AblationRun run;
-  run.model = model;
   StepTimer timer;
   const Clock::time_point start = Clock::now();
-  Interpretation interpretation{surface, estimateRobust(surface, parameters, settings, timer)};
-  run.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (!interpretation.estimate.partners.empty()) {
-    run.rate = scoreMap(input.mesh, input.asked, mapOfModel(interpretation, input)).correspondenceRate();
+  const Interpretation interpretation{surface, estimateRobust(surface, parameters, settings, timer)};
+  run.seconds = {{"estimation", std::chrono::duration<double>(Clock::now() - start).count()}};
+  if (!input.asked.empty()) {
+    run.score = scoreMap(input.mesh, input.asked, mapOfModel(interpretation, input));
   }
-  return run;
 }
 
 /** All ablations of one model. */
-std::vector<AblationRun>
+std::vector<ModelRun>
 runAllOf(const BenchmarkModel& model, const std::vector<Ablation>& changes, const RunOptions& options)
 {
-  const ModelInput input = readModel(model, options);
-  const SymmetryParameters parameters = parametersFor(model, options);
-  const NeighbourSearch search = searchByKdTree;
-  InterpretationPlan plan(input.input.surface, parameters, search);
-  const std::optional<InterpretationPlan::Attempt> first = plan.next(RivalInterpretations(plan.pooling()));
-  std::vector<AblationRun> runs;
-  runs.reserve(changes.size());
-  for (const Ablation& change : changes) {
-    runs.push_back(runAblation(model, input, first->surface, parameters, change.settings));
+  std::vector<ModelRun> runs(changes.size());
+  for (ModelRun& run : runs) {
+    run.model = model;
+  }
+  try {
+    const ModelInput input = readModel(model, options);
+    const SymmetryParameters parameters = parametersFor(model, options);
+    const NeighbourSearch search = searchByKdTree;
+    InterpretationPlan plan(input.input.surface, parameters, search);
+    const std::optional<InterpretationPlan::Attempt> first = plan.next(RivalInterpretations(plan.pooling()));
+    for (std::size_t k = 0; k < changes.size(); ++k) {
+      runAblation(runs[k], input, first->surface, parameters, changes[k].settings);
+    }
+  }
+  catch (const std::exception& error) {
+    for (ModelRun& run : runs) {
+      run.failure = errorText(error);
+    }
   }
   return runs;
 }
@@ -116,61 +100,48 @@ ablations()
   return changes;
 }
 
-std::vector<std::vector<AblationRun>>
-runAblations(const std::vector<BenchmarkModel>& models, const RunOptions& options, unsigned jobs, std::ostream& errors)
+std::vector<std::vector<ModelRun>>
+runAblations(const std::vector<BenchmarkModel>& models, const RunOptions& options, unsigned jobs)
 {
   const std::vector<Ablation> changes = ablations();
-  std::vector<std::vector<AblationRun>> of_models(models.size());
-  std::vector<std::string> failures(models.size());
+  std::vector<std::vector<ModelRun>> of_models(models.size());
   const ThreadScope all_jobs(jobs);
   parallelFor(models.size(), [&](std::size_t i) {
     const ThreadScope of_a_job(options.parameters.threads);
-    try {
-      of_models[i] = runAllOf(models[i], changes, options);
-    }
-    catch (const std::exception& error) {
-      failures[i] = errorText(error);
-    }
+    of_models[i] = runAllOf(models[i], changes, options);
   });
-  std::vector<std::vector<AblationRun>> runs(changes.size());
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    if (!failures[i].empty()) {
-      errors << models[i].set << '/' << models[i].name << ": " << failures[i] << '\n';
-      continue;
-    }
+  std::vector<std::vector<ModelRun>> runs(changes.size());
+  for (std::vector<ModelRun>& of_model : of_models) {
     for (std::size_t k = 0; k < changes.size(); ++k) {
-      runs[k].push_back(std::move(of_models[i][k]));
+      runs[k].push_back(std::move(of_model[k]));
     }
   }
   return runs;
 }
 
 void
-printAblations(std::ostream& out, const std::vector<std::vector<AblationRun>>& runs)
+printAblations(std::ostream& out, const std::vector<std::vector<ModelRun>>& runs)
 {
-  constexpr double right = 0.75; // Correspondence Rate above which a mesh counts as mapped (Mesh Rate)
   constexpr int name_width = 28;
   const std::vector<Ablation> changes = ablations();
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    std::map<std::string, SetAccuracy> sets;
+    const std::vector<GroupSummary> sets = summariseSets(summariseClasses(runs[k]));
     std::vector<double> times;
     for (std::size_t i = 0; i < runs[k].size(); ++i) {
-      const AblationRun& run = runs[k][i];
-      sets[run.model.set].rates_of_class[run.model.class_name].push_back(100.0 * run.rate);
-      times.push_back(run.seconds / std::max(runs[0][i].seconds, 1e-9));
+      if (runs[0][i].totalSeconds() > 0.0) {
+        times.push_back(runs[k][i].totalSeconds() / runs[0][i].totalSeconds());
+      }
     }
     if (k == 0) {
       out << std::left << std::setw(name_width) << "rate / Mesh Rate" << std::right;
-      for (const auto& [name, accuracy] : sets) {
-        out << std::setw(14) << name;
+      for (const GroupSummary& set : sets) {
+        out << std::setw(14) << set.set;
       }
       out << std::setw(8) << "time" << '\n';
     }
     out << std::left << std::setw(name_width) << changes[k].name << std::right << std::fixed << std::setprecision(1);
-    for (const auto& [name, accuracy] : sets) {
-      const double mesh_rate = accuracy.meanOfClasses([](double rate) { return rate > 100.0 * right ? 100.0 : 0.0; });
-      out << std::setw(7) << accuracy.meanOfClasses([](double rate) { return rate; }) << " /" << std::setw(5)
-          << mesh_rate;
+    for (const GroupSummary& set : sets) {
+      out << std::setw(7) << 100.0 * set.correspondence_rate << " /" << std::setw(5) << 100.0 * set.mesh_rate;
     }
     out << std::setprecision(2) << std::setw(8) << (times.empty() ? 0.0 : median(times)) << '\n';
   }

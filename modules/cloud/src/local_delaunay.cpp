@@ -86,6 +86,18 @@ keepDelaunayNeighbours(std::vector<PlanePoint>& ring)
   }
 }
 
+/** The Delaunay neighbours of a point in its tangent plane, by angle. */
+std::vector<PlanePoint>
+delaunayNeighbours(const std::vector<Vector3>& points,
+                   const std::vector<Vector3>& normals,
+                   const SurfaceGraph& graph,
+                   std::size_t v)
+{
+  std::vector<PlanePoint> ring = projectNeighbours(points, normals[v], graph, v);
+  keepDelaunayNeighbours(ring);
+  return ring;
+}
+
 /** Calls visit (a, b) for every two neighbours that form a triangle with the centre; gaps of more than 150 degrees stay
  * open. */
 template <typename Visit>
@@ -223,8 +235,7 @@ conformingTriangles(const std::vector<Vector3>& points,
 {
   std::vector<Triangle> proposed;
   for (const Index v : around) {
-    std::vector<PlanePoint> ring = projectNeighbours(points, normals[v], graph, static_cast<std::size_t>(v));
-    keepDelaunayNeighbours(ring);
+    const std::vector<PlanePoint> ring = delaunayNeighbours(points, normals, graph, static_cast<std::size_t>(v));
     visitFan(ring, [&](const PlanePoint& a, const PlanePoint& b) {
       proposed.push_back(lowestFirst({v, a.point, b.point}));
     });
@@ -246,8 +257,7 @@ localDelaunayTriangles(const std::vector<Vector3>& points,
   std::vector<std::vector<Triangle>> proposed(blocks);
   parallelFor(blocks, [&](std::size_t block) {
     for (std::size_t v = block * grain; v < std::min(points.size(), (block + 1) * grain); ++v) {
-      std::vector<PlanePoint> ring = projectNeighbours(points, normals[v], graph, v);
-      keepDelaunayNeighbours(ring);
+      const std::vector<PlanePoint> ring = delaunayNeighbours(points, normals, graph, v);
       visitFan(ring, [&](const PlanePoint& a, const PlanePoint& b) {
         proposed[block].push_back(lowestFirst({static_cast<Index>(v), a.point, b.point}));
       });
@@ -270,8 +280,7 @@ localDelaunayLaplacian(const std::vector<Vector3>& points,
   std::vector<float> one_sided(graph.neighbours.size(), 0.0F);
   for (std::size_t v = 0; v < points.size(); ++v) {
     const auto centre = static_cast<Index>(v);
-    std::vector<PlanePoint> ring = projectNeighbours(points, normals[v], graph, v);
-    keepDelaunayNeighbours(ring);
+    const std::vector<PlanePoint> ring = delaunayNeighbours(points, normals, graph, v);
     visitFan(ring, [&](const PlanePoint& a, const PlanePoint& b) {
       result.triangles.push_back(lowestFirst({centre, a.point, b.point}));
       result.areas[v] += std::abs(a.x * b.y - a.y * b.x);

@@ -21,7 +21,7 @@ struct RefinementSettings {
   std::vector<PatchSize> patches{{0.14F, 150}, {0.1F, 300}, {0.06F, 600}}; ///< aligned in this order
   int patch_rounds = 3;
   std::vector<float> extremity_radii{0.12F, 0.18F}; ///< of the extremities that are turned; empty: none
-  float extremity_separation = 0.12F;               ///< least distance between them
+  float extremity_separation = limb_separation;     ///< least distance between them
   GrowthSettings growth;                            ///< of what does not fit from what does
   int mutual_rounds = 4; ///< in which partners are drawn towards a map that is its own inverse
   ScoreWeights score;

@@ -56,6 +56,13 @@ makeLandmarkSurface(const CoarseSurface& surface, std::size_t landmarks, Metric 
 std::vector<char>
 comparableLandmarks(const LandmarkSurface& landmarks, const std::vector<Index>& map);
 
+/** \brief Least distance between the ends of limbs, as a share of the diameter: longer than a hand, shorter than the way from
+ * one hand to the other; by hand. */
+constexpr float limb_separation = 0.12F;
+
+/** \brief Ends of limbs that are looked at: more than any body has. */
+constexpr std::size_t most_limbs = 16;
+
 /** \brief Landmarks whose AGD is largest within a distance of \a separation (share of the diameter), at most so many,
  * the farthest out first. */
 std::vector<Index>

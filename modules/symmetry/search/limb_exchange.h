@@ -13,8 +13,9 @@ namespace symmetry {
 
 /** \brief How limbs are exchanged; lengths are shares of the diameter. */
 struct LimbExchangeSettings {
-  float separation = 0.12F;  ///< least distance between the ends of limbs; an image within half of it meets an end
-  std::size_t ends = 16;     ///< at most
+  /** Of the ends of limbs. An image within half of it meets an end: one at most, as it is nearer to it than to any other.
+   * The whole of it was tried, too, and lost the model (a horse, see the decision) that the exchange was made for. */
+  float separation = limb_separation;
   std::size_t exchanges = 6; ///< at most: all those of four limbs
 };
 

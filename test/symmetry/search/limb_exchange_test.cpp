@@ -22,7 +22,7 @@ quadruped()
 std::pair<Index, Index>
 endsOfLegs(const CoarseBody& body, const SampleMap& truth)
 {
-  const std::vector<Index> ends = extremitiesOf(body.landmarks, 0.12F, 16);
+  const std::vector<Index> ends = extremitiesOf(body.landmarks, limb_separation, most_limbs);
   const Index first = *std::max_element(ends.begin(), ends.end(), [&](Index a, Index b) {
     return body.landmarks.distances(a, truth[a]) < body.landmarks.distances(b, truth[b]);
   });
@@ -74,7 +74,7 @@ TEST(LimbExchange, AlsoUndoesAnExchange)
   EXPECT_TRUE(std::any_of(candidates.begin(), candidates.end(),
                           [&, end = first](const SymmetryCandidate& candidate) {
                             return quadruped().landmarks.distances(end, candidate.map[end]) <
-                                   0.06F * quadruped().landmarks.diameter;
+                                   0.5F * limb_separation * quadruped().landmarks.diameter;
                           }))
       << "the legs of one pair, from " << second << " on, stand still in none";
 }

@@ -63,9 +63,7 @@ SampleRefinement::spectralPartners(const SymmetryCandidate& candidate) const
 void
 SampleRefinement::rotateExtremitiesOf(std::vector<Index>& partners) const
 {
-  constexpr std::size_t maximum_extremities = 16;
-  const std::vector<Index> extremities =
-      extremitiesOf(sampled_.landmarks, settings_.extremity_separation, maximum_extremities);
+  const std::vector<Index> extremities = extremitiesOf(sampled_.landmarks, settings_.extremity_separation, most_limbs);
   for (const float radius : settings_.extremity_radii) {
     rotateExtremities(sampled_, fitting_, extremities, radius * sampled_.landmarks.diameter, partners);
   }

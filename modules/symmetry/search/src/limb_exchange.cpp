@@ -15,7 +15,7 @@ namespace {
 class LimbPairing {
 public:
   LimbPairing(const LandmarkSurface& landmarks, const SampleMap& map, const LimbExchangeSettings& settings)
-      : landmarks_(landmarks), ends_(extremitiesOf(landmarks, settings.separation, settings.ends))
+      : landmarks_(landmarks), ends_(extremitiesOf(landmarks, settings.separation, most_limbs))
   {
     for (const Index end : ends_) {
       partners_.push_back(nearestEnd(map[static_cast<std::size_t>(end)], 0.5F * settings.separation));
