@@ -82,7 +82,8 @@ TEST_F(CommandLineTest, VersionIsOneLine)
 
 TEST_F(CommandLineTest, RefusesWordsThatMessagesWouldNeverEndWith)
 {
-  for (const char* const word : {"--%canonical_option%", "--count=%value%", "-%prefix%", "--x%option%"}) {
+  for (const char* const word :
+       {"--%canonical_option%", "--count=%value%", "-%prefix%", "--x%option%", "--x%original_token%=1"}) {
     EXPECT_THROW(read({word}), UsageError) << word;
   }
 }

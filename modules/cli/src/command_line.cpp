@@ -29,7 +29,8 @@ refusePlaceholders(int argc, const char* const* argv)
 {
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    for (const char* const placeholder : {"%canonical_option%", "%option%", "%prefix%", "%value%"}) {
+    for (const char* const placeholder :
+         {"%canonical_option%", "%option%", "%original_token%", "%prefix%", "%value%"}) {
       if (word.find(placeholder) != std::string::npos) {
         throw UsageError("'" + word + "' holds " + placeholder + ", which no option and no name may");
       }
