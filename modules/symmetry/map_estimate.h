@@ -15,12 +15,16 @@
 namespace pcl {
 namespace symmetry {
 
+/** \brief MapEstimate::misfit of a mirror image in space: below that of any map of samples, whose precision is theirs. */
+constexpr float exact_misfit = -20.0F;
+
 /** \brief Symmetric map of a prepared surface; arrays have one entry per point of it. */
 struct MapEstimate {
   SymmetryStatus status = SymmetryStatus::NoSymmetry;
   std::string message; ///< why the status is not Symmetric
   float confidence = 0.0F;
   float map_confidence = 0.0F;       ///< of the map as it came out, also where it is refused
+  float misfit = 0.0F;               ///< of the map: SampleEstimate::value, a logarithm, the lower the better
   float known_holes = 0.0F;          ///< share of the samples into whose cells holes of a mesh reach; 0 for a cloud
   float unsupported_share = 0.0F;    ///< of the area: parts without a counterpart, see Support
   float supported_confidence = 0.0F; ///< of the map of the rest; map_confidence where all is supported

@@ -3,8 +3,7 @@
  */
 #pragma once
 
-#include "symmetry/map_estimate.h"
-#include "symmetry/surface/prepared_surface.h"
+#include "symmetry/interpretation_maps.h"
 
 #include <optional>
 #include <vector>
@@ -12,16 +11,11 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief A surface as it was understood, and its symmetry. */
-struct Interpretation {
-  PreparedSurface surface;
-  MapEstimate estimate;
-};
-
 /** \brief How interpretations that agree or contradict each other count. */
 enum class Pooling : char {
-  /** Of a cloud: all that have the same map vote for it, since noise and contacts make any one uncertain, and wrong
-   * ones are wrong in different ways. Refused maps have no vote. */
+  /** Of a cloud: all that have the same map vote for it, each as far as it can be trusted, since noise and contacts make
+   * any one uncertain, and wrong ones are wrong in different ways. A map of a part is the same as one of the whole that
+   * agrees with it there. */
   Votes,
   /** Of a mesh, whose faces tell what is connected: the best one speaks for its map, refused or not, since what goes
    * wrong in one (a hypothesis is missing, limbs in contact are one part) tells nothing of the others. Distinct maps
@@ -31,7 +25,7 @@ enum class Pooling : char {
 
 /** \brief Interpretations of one surface that contradict each other.
  *
- * Of interpretations with the same map only the one with the highest confidence is kept. */
+ * Of interpretations with the same map one is kept that explains the whole surface, and one that explains a part. */
 class RivalInterpretations {
 public:
   explicit RivalInterpretations(Pooling pooling = Pooling::Votes) : pooling_(pooling)
@@ -47,45 +41,62 @@ public:
   bool
   isSettled() const;
 
-  /** \brief The one with the highest sum of confidences; of several that found no symmetry the one closest to it. There
-   * must be one. */
+  /** \brief The one for whose map most speaks. There must be one. */
   const Interpretation&
   best() const;
+
+  /** \brief The maps found so far, those for which most speaks first, on another interpretation of the same input: partner
+   * of each of its points, no_index where there is none. */
+  std::vector<std::vector<Index>>
+  mapsOn(const PreparedSurface& surface) const;
 
   /** \brief Hands over the best one, with the verdict.
    *
    * By odds see Pooling. By votes its confidence becomes the geometric mean of its own and the mean of all
    * interpretations, in which those that found another map or none count 0: out of many tries at a body without symmetry
-   * one may look like some. No symmetry was found if less than 0.25 is left, of a mesh with many holes 0.2, of a cloud
-   * with noise or with points at random places 0.15. */
+   * one may look like some. No symmetry was found if less than 0.25 is left, of a cloud with noise or with points at
+   * random places 0.15. */
   Interpretation
   takeBest();
 
 private:
-  void
-  takeVotes(Interpretation& interpretation, float evidence) const;
+  /** Interpretations with the same map that explain the whole surface, or a part of it. */
+  struct Kind {
+    std::optional<Interpretation> kept; ///< by odds the most trusted one, by votes that of the least misfit
+    std::vector<Vector3> images;        ///< see imagesOfProbes ()
+    float trust = 0.0F;                 ///< the largest in any of them
+    float evidence = 0.0F;              ///< by odds the largest trust, by votes the sum
+    /** The same, but that by votes each counts as its map fits: half as much where distances change twice as much. Whether
+     * a part has no counterpart is best told by those that understood best what is connected. */
+    float fitting_evidence = 0.0F;
+  };
 
-  static void
-  takeOdds(Interpretation& interpretation, float confidence);
+  /** Interpretations with the same map. */
+  struct Rival {
+    Kind whole;
+    Kind part;
+
+    /** What the surface is: symmetric as a whole or in part. */
+    const Kind&
+    kind() const
+    {
+      const bool is_whole = whole.kept && whole.fitting_evidence >= part.fitting_evidence;
+      return is_whole || !part.kept ? whole : part;
+    }
+  };
+
+  float
+  evidenceOf(const Rival& rival) const;
 
   float
   shareOfOdds(std::size_t rival) const;
-
-  struct Rival {
-    Interpretation interpretation;
-    std::vector<Vector3> images; ///< of some points of the input; empty if there is no dense map
-    bool is_found = false;       ///< there is a map that counts
-    float confidence = 0.0F;     ///< of the interpretation that is kept
-    float evidence = 0.0F;       ///< sum of confidences, 0 without symmetry; by odds the largest of them
-  };
 
   std::size_t
   bestRival() const;
 
   Pooling pooling_;
   std::vector<Rival> rivals_;
-  std::optional<Interpretation> partial_; ///< by votes: the one with the most trusted partial map
-  std::size_t interpretations_ = 0;       ///< added so far
+  std::size_t interpretations_ = 0; ///< added so far
 };
 
 } // namespace symmetry

@@ -1,3 +1,4 @@
+#include "symmetry/confidence/map_confidence.h"
 #include "symmetry/confidence/point_confidence.h"
 #include "symmetry/rival_interpretations.h"
 
@@ -19,12 +20,36 @@ interpretationOf(Index first, float confidence, SymmetryStatus status = Symmetry
   for (Index i = 0; i < number; ++i) {
     interpretation.surface.points.push_back({static_cast<float>(i) / static_cast<float>(number), 0.0F, 0.0F});
     interpretation.surface.representatives.push_back(i);
+    interpretation.surface.original.push_back(i);
     if (status == SymmetryStatus::Symmetric) {
       interpretation.estimate.partners.push_back((first + i) % number);
     }
   }
   interpretation.estimate.confidence = confidence;
+  interpretation.estimate.trust = confidence;
   interpretation.estimate.status = status;
+  return interpretation;
+}
+
+/** As above, where the second half of the points has no counterpart. */
+Interpretation
+interpretationOfHalf(Index first, float trust)
+{
+  Interpretation interpretation = interpretationOf(first, trust);
+  interpretation.estimate.status = SymmetryStatus::NoSymmetry;
+  interpretation.estimate.is_partial = true;
+  interpretation.estimate.is_unsupported.assign(number, 0);
+  for (Index i = number / 2; i < number; ++i) {
+    interpretation.estimate.is_unsupported[i] = 1;
+    interpretation.estimate.partners[i] = i; // does not count
+  }
+  return interpretation;
+}
+
+Interpretation
+withMisfit(Interpretation interpretation, float misfit)
+{
+  interpretation.estimate.misfit = misfit;
   return interpretation;
 }
 
@@ -146,7 +171,7 @@ TEST(RivalInterpretations, OneTryOutOfManyIsNoSymmetry)
   rivals.add(interpretationOf(0, 0.3F));
   const Interpretation best = rivals.takeBest();
   EXPECT_EQ(best.estimate.status, SymmetryStatus::NoSymmetry);
-  EXPECT_NEAR(best.estimate.confidence, std::sqrt(0.3F * 0.02F), 1e-5F);
+  EXPECT_NEAR(best.estimate.confidence, confidence_of_refused * std::sqrt(0.3F * 0.02F), 1e-5F);
   EXPECT_FALSE(best.estimate.message.empty());
 }
 
@@ -267,18 +292,78 @@ TEST(RivalsByOdds, APartialMapIsTakenButSettlesNothing)
   EXPECT_EQ(rivals.takeBest().estimate.status, SymmetryStatus::PartlySymmetric);
 }
 
-TEST(RivalsByVotes, APartialMapSpeaksWhereNoneIsFound)
+TEST(RivalsByVotes, TheMapThatFitsBestIsKept)
 {
   RivalInterpretations rivals;
-  Interpretation partial = interpretationOf(0, 0.02F, SymmetryStatus::NoSymmetry);
-  partial.estimate.is_partial = true;
-  partial.estimate.trust = 0.8F;
-  partial.estimate.map_confidence = 0.2F;
-  rivals.add(std::move(partial));
+  rivals.add(withMisfit(interpretationOf(0, 0.5F), -4.0F));
+  rivals.add(withMisfit(interpretationOf(2, 0.3F), -6.0F));
+  rivals.add(withMisfit(interpretationOf(4, 0.7F), -5.0F));
+  const Interpretation best = rivals.takeBest();
+  EXPECT_EQ(best.estimate.partners[0], 2);
+  EXPECT_NEAR(best.estimate.confidence, std::sqrt(0.5F * 0.7F), 1e-5F) << "as far as any of them can be trusted";
+}
+
+TEST(RivalsByVotes, AMapOfAPartSpeaksForTheSameMapOfTheWhole)
+{
+  RivalInterpretations rivals;
+  rivals.add(interpretationOf(0, 0.5F));
+  rivals.add(interpretationOf(100, 0.7F));
+  rivals.add(interpretationOfHalf(0, 0.4F));
+  EXPECT_EQ(rivals.best().estimate.partners[0], 0); // 0.5 + 0.4 against 0.7
+}
+
+TEST(RivalsByVotes, ThoseThatFitTellWhetherTheWholeIsSymmetric)
+{
+  RivalInterpretations whole;
+  whole.add(withMisfit(interpretationOf(0, 0.5F), -6.0F));
+  whole.add(withMisfit(interpretationOfHalf(0, 0.8F), -5.0F)); // distances change 2.7 times as much
+  EXPECT_EQ(whole.takeBest().estimate.status, SymmetryStatus::Symmetric);
+
+  RivalInterpretations part;
+  part.add(withMisfit(interpretationOf(0, 0.5F), -5.0F));
+  part.add(withMisfit(interpretationOfHalf(0, 0.8F), -5.0F));
+  const Interpretation best = part.takeBest();
+  EXPECT_EQ(best.estimate.status, SymmetryStatus::PartlySymmetric);
+  EXPECT_NEAR(best.estimate.confidence, std::sqrt(0.65F * 0.8F), 1e-5F);
+}
+
+TEST(RivalsByVotes, AMapOfAPartSettlesNothing)
+{
+  RivalInterpretations rivals;
+  for (int i = 0; i < 4; ++i) {
+    rivals.add(interpretationOfHalf(0, 0.95F));
+  }
+  EXPECT_FALSE(rivals.isSettled());
+}
+
+TEST(RivalsByVotes, AMapOfAPartIsFoundWhereNoneOfTheWholeIs)
+{
+  RivalInterpretations rivals;
+  rivals.add(interpretationOfHalf(0, 0.8F));
   rivals.add(interpretationOf(0, 0.03F, SymmetryStatus::NoSymmetry));
   const Interpretation best = rivals.takeBest();
   EXPECT_EQ(best.estimate.status, SymmetryStatus::PartlySymmetric);
-  EXPECT_NEAR(best.estimate.confidence, 0.8F, 1e-4F);
+  EXPECT_NEAR(best.estimate.confidence, std::sqrt(0.4F * 0.8F), 1e-4F);
+}
+
+TEST(RivalInterpretations, HandOnTheirMapsToTheNextInterpretation)
+{
+  RivalInterpretations rivals;
+  rivals.add(interpretationOf(0, 0.01F, SymmetryStatus::NoSymmetry)); // no map
+  rivals.add(interpretationOf(10, 0.3F));
+  rivals.add(interpretationOf(100, 0.6F));
+  PreparedSurface next; // of every second point of the input
+  next.representatives.assign(number, no_index);
+  for (Index i = 0; i < number; i += 2) {
+    next.representatives[i] = i / 2;
+    next.points.emplace_back();
+    next.original.push_back(i);
+  }
+  const std::vector<std::vector<Index>> maps = rivals.mapsOn(next);
+  ASSERT_EQ(maps.size(), 2U);
+  EXPECT_EQ(maps[0][0], 50) << "the most trusted one first";
+  EXPECT_EQ(maps[1][0], 5);
+  EXPECT_EQ(maps[1][97], 2) << "the points go around";
 }
 
 } // namespace

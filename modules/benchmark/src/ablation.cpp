@@ -4,7 +4,6 @@
 #include "base/error_text.h"
 #include "base/parallel.h"
 #include "base/statistics.h"
-#include "benchmark/interpretation_map.h"
 #include "benchmark/metrics.h"
 #include "benchmark/model_input.h"
 #include "benchmark/summary.h"
@@ -34,7 +33,7 @@ runAblation(ModelRun& run,
   const Interpretation interpretation{surface, estimateRobust(surface, parameters, settings, timer)};
   run.seconds = {{"estimation", std::chrono::duration<double>(Clock::now() - start).count()}};
   if (!input.asked.empty()) {
-    run.score = scoreMap(input.mesh, input.asked, mapOfModel(interpretation, input));
+    run.score = scoreMap(input.mesh, input.asked, mapOfFile(input, mapOfInput(interpretation)));
   }
 }
 

@@ -3,7 +3,6 @@
 #include "../../estimation/src/neighbour_search.h"
 #include "base/error_text.h"
 #include "base/parallel.h"
-#include "benchmark/interpretation_map.h"
 #include "benchmark/metrics.h"
 #include "benchmark/model_input.h"
 #include "io/write/output_file.h"
@@ -73,7 +72,8 @@ evidenceOf(const BenchmarkModel& model, const RunOptions& options)
                      row.confidence = estimate.map_confidence;
                      row.measures = estimate.measures;
                      if (!input.asked.empty()) {
-                       const MapAccuracy score = scoreMap(input.mesh, input.asked, mapOfModel(interpretation, input));
+                       const MapAccuracy score =
+                           scoreMap(input.mesh, input.asked, mapOfFile(input, mapOfInput(interpretation)));
                        row.rate = score.correspondenceRate();
                        if (!row.is_cut) {
                          row.vertices = vertexEvidence(interpretation, input, score);

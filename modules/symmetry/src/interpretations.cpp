@@ -185,9 +185,7 @@ InterpretationPlan::furtherStages(const RivalInterpretations& rivals) const
     return {};
   }
   if (usable_.surface.summary.smoothing_radius == 0.0F) {
-    const bool is_found = best.estimate.status == SymmetryStatus::Symmetric;
-    return is_found ? std::vector<Stage>{}
-                    : std::vector<Stage>{{NoiseInterpretation::Parted, FaceUse::Connection, {contact_depth}}};
+    return {{NoiseInterpretation::Parted, FaceUse::Connection, {contact_depth}}};
   }
   // Noise makes each interpretation uncertain, so that several are worth their time.
   return {{NoiseInterpretation::Smooth, FaceUse::Connection, {}},

@@ -146,6 +146,7 @@ MapJudge::verdict(std::vector<Contender>& contenders) const
   estimate.measures = namedMeasures(evidence);
   judgeSupport(contenders.front(), evidence, confidence, estimate);
   estimate.map_confidence = confidence;
+  estimate.misfit = contenders.front().samples.value;
   const Contender& best = contenders.front();
   if (confidence < RefusalCalibration{}.one_interpretation) {
     estimate.confidence = confidence_of_refused * confidence;

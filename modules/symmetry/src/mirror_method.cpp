@@ -172,6 +172,7 @@ estimateByMirror(const SampledSurface& sampled,
   estimate.map_confidence = best.share;
   estimate.supported_confidence = best.share;
   estimate.trust = best.share;
+  estimate.misfit = exact_misfit;
   estimate.diameter = sampled.landmarks.diameter;
   estimate.measures = {{"mirror_share", best.share}, {"mirror_residual", best.residual}};
   estimate.is_unsupported.assign(sampled.surface.size(), 0);

@@ -1,51 +1,16 @@
 #include "symmetry/rival_interpretations.h"
 
-#include "base/vector_math.h"
 #include "symmetry/confidence/calibration.h"
 #include "symmetry/confidence/map_confidence.h"
 #include "symmetry/confidence/point_confidence.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace pcl {
 namespace symmetry {
 namespace {
-
-/** Where some evenly numbered points of the input go; not a number where they go nowhere. Empty without a dense map. */
-std::vector<Vector3>
-imagesOfProbes(const Interpretation& interpretation)
-{
-  constexpr std::size_t probes = 500;
-  constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
-  const std::vector<Index>& representatives = interpretation.surface.representatives;
-  const std::vector<Index>& partners = interpretation.estimate.partners;
-  std::vector<Vector3> images;
-  const std::size_t step = std::max<std::size_t>(1, representatives.size() / probes);
-  for (std::size_t v = 0; !partners.empty() && v < representatives.size(); v += step) {
-    const Index partner = representatives[v] == no_index ? no_index : partners[representatives[v]];
-    images.push_back(partner == no_index ? Vector3{nowhere, nowhere, nowhere} : interpretation.surface.points[partner]);
-  }
-  return images;
-}
-
-/** Whether most points go to the same places; so they do where there are none. */
-bool
-areAlike(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
-{
-  constexpr float near = 0.1F; // surfaces are at unit scale
-  constexpr double most = 0.7; // by hand
-  std::size_t both = 0;
-  std::size_t alike = 0;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    const float apart = distance(a[i], b[i]);
-    both += apart >= 0.0F ? 1U : 0U; // false for what is not a number
-    alike += apart < near ? 1U : 0U;
-  }
-  return static_cast<double>(alike) >= most * static_cast<double>(both);
-}
 
 /** Whether noise or points at random places make each interpretation of a cloud uncertain. */
 bool
@@ -93,6 +58,25 @@ takeConfidence(MapEstimate& estimate, float confidence)
   estimate.confidence = confidence;
 }
 
+/** Whether the map is found, as a whole or of a part, however it was refused.
+ * \param[in] refusal what is said of a map that was a symmetry before others were heard */
+void
+giveVerdict(Interpretation& interpretation, float confidence, const char* refusal)
+{
+  MapEstimate& estimate = interpretation.estimate;
+  if (confidence >= leastOfSeveralInterpretations(interpretation)) {
+    estimate.status = estimate.is_partial ? SymmetryStatus::PartlySymmetric : SymmetryStatus::Symmetric;
+    estimate.message = estimate.is_partial ? "a part of the surface has no counterpart" : "";
+    takeConfidence(estimate, confidence);
+    return;
+  }
+  if (estimate.status == SymmetryStatus::Symmetric) {
+    estimate.message = refusal;
+  }
+  estimate.status = SymmetryStatus::NoSymmetry;
+  estimate.confidence = confidence_of_refused * confidence;
+}
+
 } // namespace
 
 void
@@ -101,25 +85,27 @@ RivalInterpretations::add(Interpretation interpretation)
   ++interpretations_;
   const MapEstimate& estimate = interpretation.estimate;
   const bool by_odds = pooling_ == Pooling::Odds;
-  const bool is_found = by_odds ? !estimate.partners.empty() : estimate.status == SymmetryStatus::Symmetric;
-  const float confidence = by_odds ? estimate.trust : estimate.confidence;
-  if (!by_odds && estimate.is_partial && (!partial_ || estimate.trust > partial_->estimate.trust)) {
-    partial_ = interpretation;
-  }
-  std::vector<Vector3> images = is_found ? imagesOfProbes(interpretation) : std::vector<Vector3>{};
-  const auto same = std::find_if(rivals_.begin(), rivals_.end(), [&](const Rival& rival) {
-    return is_found == rival.is_found && areAlike(images, rival.images);
+  const float trust = estimate.trust;
+  const bool in_part = !by_odds && estimate.is_partial;
+  std::vector<Vector3> images = imagesOfProbes(interpretation, in_part ? MapPart::Supported : MapPart::Whole);
+  auto same = std::find_if(rivals_.begin(), rivals_.end(), [&](const Rival& rival) {
+    const std::vector<Vector3>& others = rival.kind().images;
+    return images.empty() == others.empty() && areAlike(images, others);
   });
   if (same == rivals_.end()) {
-    rivals_.push_back(
-        {std::move(interpretation), std::move(images), is_found, confidence, is_found ? confidence : 0.0F});
-    return;
+    same = rivals_.insert(rivals_.end(), Rival{});
   }
-  same->evidence = !is_found ? 0.0F : by_odds ? std::max(same->evidence, confidence) : same->evidence + confidence;
-  if (confidence > same->confidence) {
-    same->interpretation = std::move(interpretation);
-    same->images = std::move(images);
-    same->confidence = confidence;
+  Kind& kind = estimate.is_partial ? same->part : same->whole;
+  const auto is_better = [&](const MapEstimate& kept) {
+    return by_odds || estimate.misfit == kept.misfit ? trust > kept.trust : estimate.misfit < kept.misfit;
+  };
+  const bool is_kept = !kind.kept || is_better(kind.kept->estimate);
+  kind.evidence = by_odds ? std::max(kind.evidence, trust) : kind.evidence + trust;
+  kind.fitting_evidence = by_odds ? kind.evidence : kind.fitting_evidence + trust * std::exp(-estimate.misfit);
+  kind.trust = std::max(kind.trust, trust);
+  if (is_kept) {
+    kind.kept = std::move(interpretation);
+    kind.images = std::move(images);
   }
 }
 
@@ -130,53 +116,79 @@ RivalInterpretations::isSettled() const
     return false;
   }
   const std::size_t best = bestRival();
-  const MapEstimate& estimate = rivals_[best].interpretation.estimate;
-  if (estimate.status == SymmetryStatus::TooFewPoints) {
+  const Kind& kind = rivals_[best].kind();
+  if (kind.kept->estimate.status == SymmetryStatus::TooFewPoints) {
     return true;
   }
+  if (kind.kept->estimate.is_partial) {
+    return false; // one of those to come may explain the whole
+  }
   if (pooling_ == Pooling::Odds) {
-    return !estimate.is_partial && shareOfOdds(best) >= in_doubt;
+    return shareOfOdds(best) >= in_doubt;
   }
   constexpr float beyond_doubt = 0.9F;  // this and the next two by hand
   constexpr float sure_together = 2.0F; // three interpretations that agree, each sure enough alone
   constexpr float usually = 0.6F;       // of all interpretations so far
   float contradicting = 0.0F;
   for (std::size_t i = 0; i < rivals_.size(); ++i) {
-    contradicting += i == best ? 0.0F : rivals_[i].evidence;
+    contradicting += i == best ? 0.0F : evidenceOf(rivals_[i]);
   }
-  const float evidence = rivals_[best].evidence;
+  const float evidence = evidenceOf(rivals_[best]);
   const bool is_usual = evidence >= sure_together && evidence >= usually * static_cast<float>(interpretations_);
-  return is_usual || (estimate.confidence >= beyond_doubt && evidence > contradicting);
+  return is_usual || (kind.trust >= beyond_doubt && evidence > contradicting);
 }
 
 const Interpretation&
 RivalInterpretations::best() const
 {
-  return rivals_[bestRival()].interpretation;
+  return *rivals_[bestRival()].kind().kept;
+}
+
+std::vector<std::vector<Index>>
+RivalInterpretations::mapsOn(const PreparedSurface& surface) const
+{
+  constexpr std::size_t most = 3; // each costs the refinement of a contender
+  std::vector<const Rival*> order;
+  for (const Rival& rival : rivals_) {
+    if (!rival.kind().kept->estimate.partners.empty()) {
+      order.push_back(&rival);
+    }
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [this](const Rival* a, const Rival* b) { return evidenceOf(*a) > evidenceOf(*b); });
+  order.resize(std::min(order.size(), most));
+  std::vector<std::vector<Index>> maps;
+  for (const Rival* const rival : order) {
+    maps.push_back(mapOnSurface(surface, *rival->kind().kept));
+  }
+  return maps;
 }
 
 Interpretation
 RivalInterpretations::takeBest()
 {
-  const std::size_t best = bestRival();
-  Interpretation interpretation = std::move(rivals_[best].interpretation);
+  const Rival& best = rivals_[bestRival()];
+  Interpretation interpretation = *best.kind().kept;
   MapEstimate& estimate = interpretation.estimate;
   if (estimate.status == SymmetryStatus::TooFewPoints) {
     return interpretation;
   }
   if (pooling_ == Pooling::Odds) {
-    takeOdds(interpretation, shareOfOdds(best));
-    return interpretation;
+    giveVerdict(interpretation, shareOfOdds(bestRival()), "ways to understand the surface contradict each other");
   }
-  if (estimate.status == SymmetryStatus::Symmetric && interpretations_ > 1) {
-    takeVotes(interpretation, rivals_[best].evidence);
-  }
-  if (partial_ && partial_->estimate.trust > estimate.confidence) {
-    // What none explains as a whole, or hardly any, one may explain in part.
-    takeOdds(*partial_, partial_->estimate.trust);
-    return std::move(*partial_);
+  else if (interpretations_ > 1 || estimate.is_partial) {
+    const float agreement = evidenceOf(best) / static_cast<float>(interpretations_);
+    giveVerdict(interpretation, std::sqrt(agreement * best.kind().trust),
+                "hardly any way to read the points shows a symmetry");
   }
   return interpretation;
+}
+
+/** How much speaks for the map of a rival. */
+float
+RivalInterpretations::evidenceOf(const Rival& rival) const
+{
+  return pooling_ == Pooling::Odds ? rival.kind().evidence : rival.whole.evidence + rival.part.evidence;
 }
 
 /** The odds of a rival's map over those of all maps and of none. */
@@ -190,45 +202,18 @@ RivalInterpretations::shareOfOdds(std::size_t rival) const
   };
   float all = 1.0F; // of none
   for (const Rival& other : rivals_) {
-    all += odds(other.evidence);
+    all += odds(evidenceOf(other));
   }
-  return odds(rivals_[rival].evidence) / all;
-}
-
-void
-RivalInterpretations::takeOdds(Interpretation& interpretation, float confidence)
-{
-  MapEstimate& estimate = interpretation.estimate;
-  if (confidence >= leastOfSeveralInterpretations(interpretation)) {
-    estimate.status = estimate.is_partial ? SymmetryStatus::PartlySymmetric : SymmetryStatus::Symmetric;
-    estimate.message = estimate.is_partial ? "a part of the surface has no counterpart" : "";
-    takeConfidence(estimate, confidence);
-    return;
-  }
-  if (estimate.status == SymmetryStatus::Symmetric) {
-    estimate.message = "ways to understand the surface contradict each other";
-  }
-  estimate.status = SymmetryStatus::NoSymmetry;
-  estimate.confidence = confidence_of_refused * confidence;
-}
-
-void
-RivalInterpretations::takeVotes(Interpretation& interpretation, float evidence) const
-{
-  MapEstimate& estimate = interpretation.estimate;
-  const float agreement = evidence / static_cast<float>(interpretations_);
-  takeConfidence(estimate, std::sqrt(agreement * estimate.confidence));
-  if (estimate.confidence < leastOfSeveralInterpretations(interpretation)) {
-    estimate.status = SymmetryStatus::NoSymmetry;
-    estimate.message = "hardly any way to read the points shows a symmetry";
-  }
+  return odds(evidenceOf(rivals_[rival])) / all;
 }
 
 std::size_t
 RivalInterpretations::bestRival() const
 {
-  const auto comes_before = [](const Rival& a, const Rival& b) {
-    return a.evidence != b.evidence ? a.evidence > b.evidence : a.confidence > b.confidence;
+  const auto comes_before = [this](const Rival& a, const Rival& b) {
+    const float of_a = evidenceOf(a);
+    const float of_b = evidenceOf(b);
+    return of_a != of_b ? of_a > of_b : a.kind().trust > b.kind().trust;
   };
   return static_cast<std::size_t>(std::min_element(rivals_.begin(), rivals_.end(), comes_before) - rivals_.begin());
 }
