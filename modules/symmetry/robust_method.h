@@ -14,6 +14,8 @@
 
 #include <pcl/symmetry/symmetry_parameters.h>
 
+#include <vector>
+
 namespace pcl {
 namespace symmetry {
 
@@ -34,6 +36,8 @@ struct RobustSettings {
  * \param[in] surface connected, at unit scale
  * \param[in] parameters metric, alternatives (none with sparse_only)
  * \param[in] settings ingredients
+ * \param[in] known maps that other interpretations of the surface have led to, partner of each point or no_index: they are
+ * tried as well
  * \param[in,out] timer told of the steps sampling, embedding, geodesics, features, hypotheses, matching, dense
  * \throws Cancelled by the timer
  */
@@ -41,7 +45,8 @@ MapEstimate
 estimateRobust(const PreparedSurface& surface,
                const SymmetryParameters& parameters,
                const RobustSettings& settings,
-               StepTimer& timer);
+               StepTimer& timer,
+               const std::vector<std::vector<Index>>& known = {});
 
 } // namespace symmetry
 } // namespace pcl

@@ -24,7 +24,11 @@ namespace symmetry {
 namespace {
 
 MapEstimate
-estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameters, float samples, StepTimer& timer)
+estimateMap(const PreparedSurface& prepared,
+            const SymmetryParameters& parameters,
+            float samples,
+            const std::vector<std::vector<Index>>& known,
+            StepTimer& timer)
 {
   if (parameters.method == Method::Staged) {
     return estimateStaged(prepared, parameters, timer);
@@ -32,7 +36,7 @@ estimateMap(const PreparedSurface& prepared, const SymmetryParameters& parameter
   RobustSettings settings;
   const auto usual = static_cast<float>(parameters.robust.samples);
   settings.sampling.samples = std::max(minimum_samples, static_cast<std::size_t>(std::lround(samples * usual)));
-  return estimateRobust(prepared, parameters, settings, timer);
+  return estimateRobust(prepared, parameters, settings, timer, known);
 }
 
 /** Share of the points below which a part of the object is missing. */
@@ -192,7 +196,8 @@ interpretSurface(const Surface& surface,
     // Prepare: points cleaned, graph built, at unit scale; done by the plan.
     summary = attempt->surface.summary;
     // Sample, search, refine, judge: by either method.
-    MapEstimate estimate = estimateMap(attempt->surface, parameters, attempt->samples, timer);
+    MapEstimate estimate =
+        estimateMap(attempt->surface, parameters, attempt->samples, rivals.mapsOn(attempt->surface), timer);
     Interpretation interpretation{std::move(attempt->surface), std::move(estimate)};
     if (observer) {
       observer(interpretation);

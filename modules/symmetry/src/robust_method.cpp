@@ -2,6 +2,7 @@
 
 #include "symmetry/map_delivery.h"
 #include "symmetry/map_judgement.h"
+#include "symmetry/search/given_maps.h"
 
 #include <algorithm>
 #include <string>
@@ -28,7 +29,8 @@ MapEstimate
 estimateRobust(const PreparedSurface& surface,
                const SymmetryParameters& parameters,
                const RobustSettings& settings,
-               StepTimer& timer)
+               StepTimer& timer,
+               const std::vector<std::vector<Index>>& known)
 {
   if (surface.size() < minimum_points) {
     return tooFewPoints();
@@ -54,6 +56,10 @@ estimateRobust(const PreparedSurface& surface,
   const SampleRefinement refinement(sampled, settings.refinement);
   std::vector<Contender> contenders =
       refineContenders(refinement, candidates, settings.contenders, settings.contender_margin);
+
+  const std::vector<SymmetryCandidate> given =
+      candidatesFromMaps(sampled, landmarkMapsOf(sampled, known), settings.search);
+  addContenders(refinement, given, contenders);
 
   // Judge: which of them fits best, and whether it is a symmetry at all.
   const MapJudge judge(sampled);

@@ -1,11 +1,12 @@
 #include "symmetry/search/limb_exchange.h"
 
-#include "base/parallel.h"
 #include "symmetry/search/functional_map.h"
+#include "symmetry/search/given_maps.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace pcl {
 namespace symmetry {
@@ -151,25 +152,12 @@ exchangeLimbs(const SampledSurface& sampled,
               const SearchSettings& search,
               const LimbExchangeSettings& settings)
 {
-  const LandmarkSurface& landmarks = sampled.landmarks;
-  const LimbPairing pairing(landmarks, map, settings);
+  const LimbPairing pairing(sampled.landmarks, map, settings);
   const std::vector<Exchange> exchanges = findExchanges(pairing, settings);
-  std::vector<SymmetryCandidate> candidates(exchanges.size());
-  if (candidates.empty()) {
-    return candidates;
-  }
-  const ShapeDescriptor guide =
-      describeShape(sampled.coarse, sampled.basis, search.guide.oriented_dimensions, search.guide);
-  const UpwardRefinement refinement(sampled.basis.functions, guide, static_cast<Eigen::Index>(landmarks.size()),
-                                    {search.levels.back()}, search.guidance);
-  parallelFor(candidates.size(), [&](std::size_t i) {
-    SymmetryCandidate& candidate = candidates[i];
-    candidate.source = SymmetryHypothesis::Source::Extremities;
-    candidate.map = pairing.exchanged(exchanges[i].first, exchanges[i].second).toMap();
-    candidate.matrix = refinement.refine(candidate.map);
-    candidate.score = scoreMap(landmarks, sampled.descriptor, candidate.map, search.coarse_targets, search.score);
-  });
-  return candidates;
+  std::vector<SampleMap> maps(exchanges.size());
+  std::transform(exchanges.begin(), exchanges.end(), maps.begin(),
+                 [&](const Exchange& e) { return pairing.exchanged(e.first, e.second).toMap(); });
+  return candidatesFromMaps(sampled, std::move(maps), search);
 }
 
 } // namespace symmetry
