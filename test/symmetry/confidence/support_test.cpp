@@ -202,6 +202,40 @@ TEST(TakeBackSupported, WhatHasAPartnerThatHasNoneStaysOut)
   EXPECT_EQ(rest.is_unsupported[extremity], 1) << "its partner is on a limb that is not supported";
 }
 
+TEST(TakeBackSupported, WhatIsExchangedHasACounterpartWhateverItsDistances)
+{
+  const CoarseBody& body = human();
+  const Index extremity = body.landmarks.extremities.front();
+  SampleEstimate estimate = estimateOf(body);
+  const Index counterpart = estimate.landmark_map[extremity];
+  ASSERT_GT(body.landmarks.distances(extremity, counterpart), limb_separation * body.landmarks.diameter);
+  Support support;
+  support.is_unsupported = around(body, extremity, 0.1F);
+  const std::vector<char> other = around(body, counterpart, 0.1F);
+  const auto middle = static_cast<Index>(
+      std::min_element(body.landmarks.average_distance.begin(), body.landmarks.average_distance.end()) -
+      body.landmarks.average_distance.begin());
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    support.is_unsupported[i] = static_cast<char>(support.is_unsupported[i] != 0 || other[i] != 0);
+    if (support.is_unsupported[i] != 0) { // distances are those of another place, as through a contact
+      estimate.partners[i] = body.coarse.cells.vertices[middle];
+    }
+  }
+  support.is_disturbed = support.is_unsupported;
+  std::vector<float> changes(other.size(), 1.0F);
+  const Support rest = takeBackSupported(body.sampled(), estimate, support, {}, changes);
+  EXPECT_EQ(rest.is_unsupported[extremity], 0);
+  EXPECT_EQ(rest.is_unsupported[counterpart], 0);
+  EXPECT_EQ(rest.is_disturbed, support.is_disturbed) << "but it is no evidence for the map";
+  estimate.landmark_map[extremity] = extremity;
+  EXPECT_EQ(takeBackSupported(body.sampled(), estimate, support, {}, changes).is_unsupported[extremity], 0)
+      << "a single landmark is noise";
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    estimate.landmark_map[i] = support.is_unsupported[i] != 0 ? static_cast<Index>(i) : estimate.landmark_map[i];
+  }
+  EXPECT_EQ(takeBackSupported(body.sampled(), estimate, support, {}, changes).is_unsupported[extremity], 1);
+}
+
 TEST(TakeBackSupported, AFlatPartDisturbsNothingAroundIt)
 {
   const CoarseBody& body = human();

@@ -167,6 +167,26 @@ disturbRims(const LandmarkSurface& landmarks,
   }
 }
 
+/** Those with a mark that the map exchanges with another place: both are far apart, and the way there leads back. */
+std::vector<Index>
+exchangedOf(const std::vector<char>& marks, const LandmarkSurface& landmarks, const SampleMap& map)
+{
+  constexpr float near = 0.04F; // share of the diameter: the place or a landmark beside it
+  const auto apart = [&](Index a, Index b) {
+    return landmarks.distances(a, b) / landmarks.diameter;
+  };
+  std::vector<Index> exchanged;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const auto place = static_cast<Index>(i);
+    const Index image = map[i];
+    if (marks[i] != 0 && apart(place, image) > limb_separation &&
+        apart(place, map[static_cast<std::size_t>(image)]) < near) {
+      exchanged.push_back(place);
+    }
+  }
+  return exchanged;
+}
+
 /** Marks the groups, apart from the largest, that the map mostly sends into themselves or to what has a mark. */
 void
 markCutOff(const Groups& rest, const std::vector<float>& areas, const SampleMap& map, std::vector<char>& marks)
@@ -226,7 +246,13 @@ takeBackSupported(const SampledSurface& sampled,
   std::vector<char>& marks = result.is_unsupported;
   const std::vector<std::vector<Index>> adjacent = adjacentLandmarks(sampled.landmarks);
   const LocalDistanceChange change(sampled, samples.partners);
-  std::vector<Index> joining;
+  std::vector<Index> joining = exchangedOf(marks, sampled.landmarks, samples.landmark_map);
+  for (const Index i : joining) {
+    marks[i] = 0;
+  }
+  for (const Index i : joining) {
+    changes[i] = std::min(changes[i], change.relativeTo(i, marks));
+  }
   do {
     joining.clear();
     std::vector<float> relative(marks.size(), 0.0F); // of the landmarks without a mark not asked for
