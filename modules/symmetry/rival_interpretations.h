@@ -14,8 +14,8 @@ namespace symmetry {
 /** \brief How interpretations that agree or contradict each other count. */
 enum class Pooling : char {
   /** Of a cloud: all that have the same map vote for it, each as far as it can be trusted, since noise and contacts make
-   * any one uncertain, and wrong ones are wrong in different ways. A map of a part is the same as one of the whole that
-   * agrees with it there. */
+   * any one uncertain, and wrong ones are wrong in different ways. Refused maps have no vote. A map of a part is the same
+   * as one of the whole that agrees with it there. */
   Votes,
   /** Of a mesh, whose faces tell what is connected: the best one speaks for its map, refused or not, since what goes
    * wrong in one (a hypothesis is missing, limbs in contact are one part) tells nothing of the others. Distinct maps

@@ -85,7 +85,8 @@ RivalInterpretations::add(Interpretation interpretation)
   ++interpretations_;
   const MapEstimate& estimate = interpretation.estimate;
   const bool by_odds = pooling_ == Pooling::Odds;
-  const float trust = estimate.trust;
+  const bool has_vote = by_odds || estimate.is_partial || estimate.status == SymmetryStatus::Symmetric;
+  const float trust = has_vote ? estimate.trust : 0.0F;
   const bool in_part = !by_odds && estimate.is_partial;
   std::vector<Vector3> images = imagesOfProbes(interpretation, in_part ? MapPart::Supported : MapPart::Whole);
   auto same = std::find_if(rivals_.begin(), rivals_.end(), [&](const Rival& rival) {
@@ -97,7 +98,7 @@ RivalInterpretations::add(Interpretation interpretation)
   }
   Kind& kind = estimate.is_partial ? same->part : same->whole;
   const auto is_better = [&](const MapEstimate& kept) {
-    return by_odds || estimate.misfit == kept.misfit ? trust > kept.trust : estimate.misfit < kept.misfit;
+    return by_odds || estimate.misfit == kept.misfit ? estimate.trust > kept.trust : estimate.misfit < kept.misfit;
   };
   const bool is_kept = !kind.kept || is_better(kind.kept->estimate);
   kind.evidence = by_odds ? std::max(kind.evidence, trust) : kind.evidence + trust;
