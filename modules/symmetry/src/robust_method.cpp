@@ -73,7 +73,7 @@ estimateRobust(const PreparedSurface& surface,
   }
   // In doubt: is it right but for two limbs? Ends of an object in parts are none.
   std::vector<SymmetryCandidate> exchanged;
-  if (estimate.confidence < in_doubt && surface.part_of.empty()) {
+  if (estimate.confidence < in_doubt && surface.part_of.empty() && known.empty()) {
     exchanged = exchangeLimbs(sampled, contenders.front().samples.landmark_map, settings.search, settings.exchange);
     const float worst = candidates.front().score.value + settings.contender_margin;
     exchanged.erase(std::remove_if(exchanged.begin(), exchanged.end(),
