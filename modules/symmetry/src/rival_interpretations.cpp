@@ -158,10 +158,9 @@ RivalInterpretations::mapsOn(const PreparedSurface& surface) const
   std::stable_sort(order.begin(), order.end(),
                    [this](const Rival* a, const Rival* b) { return evidenceOf(*a) > evidenceOf(*b); });
   order.resize(std::min(order.size(), most));
-  std::vector<std::vector<Index>> maps;
-  for (const Rival* const rival : order) {
-    maps.push_back(mapOnSurface(surface, *rival->kind().kept));
-  }
+  std::vector<std::vector<Index>> maps(order.size());
+  std::transform(order.begin(), order.end(), maps.begin(),
+                 [&surface](const Rival* rival) { return mapOnSurface(surface, *rival->kind().kept); });
   return maps;
 }
 
