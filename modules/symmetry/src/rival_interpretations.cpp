@@ -167,18 +167,21 @@ RivalInterpretations::mapsOn(const PreparedSurface& surface) const
 Interpretation
 RivalInterpretations::takeBest()
 {
-  const Rival& best = rivals_[bestRival()];
-  Interpretation interpretation = *best.kind().kept;
-  MapEstimate& estimate = interpretation.estimate;
+  const std::size_t number = bestRival();
+  Rival& best = rivals_[number];
+  const float share = shareOfOdds(number);
+  const float agreement = evidenceOf(best) / static_cast<float>(interpretations_);
+  Kind& kind = &best.kind() == &best.whole ? best.whole : best.part;
+  Interpretation interpretation = std::move(*kind.kept);
+  const MapEstimate& estimate = interpretation.estimate;
   if (estimate.status == SymmetryStatus::TooFewPoints) {
     return interpretation;
   }
   if (pooling_ == Pooling::Odds) {
-    giveVerdict(interpretation, shareOfOdds(bestRival()), "ways to understand the surface contradict each other");
+    giveVerdict(interpretation, share, "ways to understand the surface contradict each other");
   }
   else if (interpretations_ > 1 || estimate.is_partial) {
-    const float agreement = evidenceOf(best) / static_cast<float>(interpretations_);
-    giveVerdict(interpretation, std::sqrt(agreement * best.kind().trust),
+    giveVerdict(interpretation, std::sqrt(agreement * kind.trust),
                 "hardly any way to read the points shows a symmetry");
   }
   return interpretation;
