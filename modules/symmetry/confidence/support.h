@@ -52,8 +52,8 @@ findSupport(const SampledSurface& sampled,
  * First those that the map exchanges with a place far away, there and back: where parts of a body touch, a cloud's
  * distances change on both sides of the contact, but an odd limb is sent into itself, since nothing else is left for it.
  *
- * Then those whose distances change only to what has no counterpart. Around the root of an odd limb, and where its counterpart should be, distances to that limb change, but those to the
- * rest of the surface do not: these places have counterparts, in each other. They join what is supported from its rim
+ * Then those whose distances change only to what has no counterpart. Around the root of an odd limb, and where its
+ * counterpart should be, distances to that limb change, but those to the rest of the surface do not: these places have counterparts, in each other. They join what is supported from its rim
  * inwards, each where its change relative to what is supported by then, and that of its partner, is small. An odd
  * limb is reached at its root alone, from which one side of the body is nearer than the other.
  *

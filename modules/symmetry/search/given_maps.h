@@ -12,7 +12,8 @@ namespace pcl {
 namespace symmetry {
 
 /** \brief Candidates near given maps of the landmarks, each refined in all eigenfunctions of the search at once: the lower
- * ones alone do not see a single limb, and would lose what a map says of it. Each with its score. */
+ * ones alone do not see a single limb, and would lose what a map says of it. Each with its score;
+ * empty where the surface is too small for the search. */
 std::vector<SymmetryCandidate>
 candidatesFromMaps(const SampledSurface& sampled, std::vector<SampleMap> maps, const SearchSettings& settings);
 

@@ -50,6 +50,11 @@ scoreRotation(const LandmarkSurface& landmarks,
               const SampleMap& inverse,
               const ScoreWeights& weights);
 
+/** \brief Whether a map sends a landmark farther away than \a far (share of the diameter), and from there back to it or to a
+ * landmark beside it. */
+bool
+isExchanged(const LandmarkSurface& landmarks, const SampleMap& map, Index landmark, float far);
+
 /** \brief Mean distance between the images of two maps, share of the diameter. */
 float
 mapDifference(const LandmarkSurface& landmarks, const SampleMap& a, const SampleMap& b);

@@ -1,4 +1,4 @@
-#include "support/coarse_body.h"
+#include "support/quadruped.h"
 #include "support/with_threads.h"
 #include "symmetry/search/given_maps.h"
 
@@ -8,13 +8,6 @@ using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
 
 namespace {
-
-const CoarseBody&
-quadruped()
-{
-  static const CoarseBody body = coarseBody(Body::Quadruped, 0.3);
-  return body;
-}
 
 TEST(LandmarkMaps, AreThoseOfThePoints)
 {

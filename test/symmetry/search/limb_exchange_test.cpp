@@ -1,4 +1,4 @@
-#include "support/coarse_body.h"
+#include "support/quadruped.h"
 #include "support/with_threads.h"
 #include "symmetry/search/limb_exchange.h"
 
@@ -10,13 +10,6 @@ using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
 
 namespace {
-
-const CoarseBody&
-quadruped()
-{
-  static const CoarseBody body = coarseBody(Body::Quadruped, 0.3);
-  return body;
-}
 
 /** The two extremities of one pair of legs: those whose true partners are farthest away. */
 std::pair<Index, Index>

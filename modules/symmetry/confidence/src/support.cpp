@@ -3,6 +3,7 @@
 #include "base/statistics.h"
 #include "base/union_find.h"
 #include "symmetry/confidence/local_change.h"
+#include "symmetry/search/map_score.h"
 
 #include <algorithm>
 #include <cmath>
@@ -167,21 +168,14 @@ disturbRims(const LandmarkSurface& landmarks,
   }
 }
 
-/** Those with a mark that the map exchanges with another place: both are far apart, and the way there leads back. */
+/** Those with a mark that the map exchanges with another place. */
 std::vector<Index>
 exchangedOf(const std::vector<char>& marks, const LandmarkSurface& landmarks, const SampleMap& map)
 {
-  constexpr float near = 0.04F; // share of the diameter: the place or a landmark beside it
-  const auto apart = [&](Index a, Index b) {
-    return landmarks.distances(a, b) / landmarks.diameter;
-  };
   std::vector<Index> exchanged;
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    const auto place = static_cast<Index>(i);
-    const Index image = map[i];
-    if (marks[i] != 0 && apart(place, image) > limb_separation &&
-        apart(place, map[static_cast<std::size_t>(image)]) < near) {
-      exchanged.push_back(place);
+    if (marks[i] != 0 && isExchanged(landmarks, map, static_cast<Index>(i), limb_separation)) {
+      exchanged.push_back(static_cast<Index>(i));
     }
   }
   return exchanged;

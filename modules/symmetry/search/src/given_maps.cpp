@@ -42,10 +42,10 @@ landmarkMapOf(const SampledSurface& sampled, const std::vector<Index>& partners)
 std::vector<SymmetryCandidate>
 candidatesFromMaps(const SampledSurface& sampled, std::vector<SampleMap> maps, const SearchSettings& settings)
 {
-  std::vector<SymmetryCandidate> candidates(maps.size());
-  if (candidates.empty()) {
-    return candidates;
+  if (maps.empty() || !sampled.isSearchable()) {
+    return {};
   }
+  std::vector<SymmetryCandidate> candidates(maps.size());
   const LandmarkSurface& landmarks = sampled.landmarks;
   const ShapeDescriptor guide =
       describeShape(sampled.coarse, sampled.basis, settings.guide.oriented_dimensions, settings.guide);

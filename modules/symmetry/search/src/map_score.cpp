@@ -160,6 +160,15 @@ scoreRotation(const LandmarkSurface& landmarks,
   return score;
 }
 
+bool
+isExchanged(const LandmarkSurface& landmarks, const SampleMap& map, Index landmark, float far)
+{
+  constexpr float near = 0.04F; // share of the diameter: a landmark beside it; by hand
+  const Index image = map[landmark];
+  return landmarks.distances(landmark, image) > far * landmarks.diameter &&
+         landmarks.distances(landmark, map[image]) < near * landmarks.diameter;
+}
+
 float
 mapDifference(const LandmarkSurface& landmarks, const SampleMap& a, const SampleMap& b)
 {

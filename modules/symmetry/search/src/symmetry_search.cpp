@@ -135,14 +135,11 @@ private:
   std::vector<Index>
   reflectedLandmarks(const SampleMap& map) const
   {
-    constexpr float far = 0.15F;  // shares of the diameter, chosen by hand: clearly moved,
-    constexpr float near = 0.04F; // and come back to the place or a landmark beside it
+    constexpr float far = 0.15F; // share of the diameter, chosen by hand: clearly moved
     constexpr std::size_t maximum_anchors = 60;
     std::vector<Index> anchors;
     for (std::size_t i = 0; i < map.size() && anchors.size() < maximum_anchors; ++i) {
-      const auto landmark = static_cast<Eigen::Index>(i);
-      if (landmarks_.distances(landmark, map[i]) > far * landmarks_.diameter &&
-          landmarks_.distances(landmark, map[static_cast<std::size_t>(map[i])]) < near * landmarks_.diameter) {
+      if (isExchanged(landmarks_, map, static_cast<Index>(i), far)) {
         anchors.push_back(static_cast<Index>(i));
       }
     }
