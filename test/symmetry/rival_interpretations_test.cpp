@@ -41,7 +41,7 @@ interpretationOfHalf(Index first, float trust)
   interpretation.estimate.is_unsupported.assign(number, 0);
   for (Index i = number / 2; i < number; ++i) {
     interpretation.estimate.is_unsupported[i] = 1;
-    interpretation.estimate.partners[i] = i; // does not count
+    interpretation.estimate.partners[i] = i - number / 4; // does not count
   }
   return interpretation;
 }
