@@ -303,6 +303,24 @@ TEST(RivalsByVotes, TheMapThatFitsBestIsKept)
   EXPECT_NEAR(best.estimate.confidence, std::sqrt(0.5F * 0.7F), 1e-5F) << "as far as any of them can be trusted";
 }
 
+TEST(RivalsByVotes, ARefusedMapHasNoVoteButMayFitBest)
+{
+  const auto refused = [](Index first, float misfit) {
+    Interpretation interpretation = withMisfit(interpretationOf(first, 0.3F), misfit);
+    interpretation.estimate.status = SymmetryStatus::NoSymmetry;
+    return interpretation;
+  };
+  RivalInterpretations rivals;
+  rivals.add(refused(100, -5.0F));
+  rivals.add(refused(100, -5.0F));
+  rivals.add(withMisfit(interpretationOf(0, 0.55F), -4.0F));
+  EXPECT_EQ(rivals.best().estimate.partners[0], 0); // 0.55 against none
+  rivals.add(refused(2, -6.0F));
+  const Interpretation best = rivals.takeBest();
+  EXPECT_EQ(best.estimate.partners[0], 2) << "the same map, and it fits better";
+  EXPECT_EQ(best.estimate.status, SymmetryStatus::Symmetric);
+}
+
 TEST(RivalsByVotes, AMapOfAPartSpeaksForTheSameMapOfTheWhole)
 {
   RivalInterpretations rivals;
