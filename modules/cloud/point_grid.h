@@ -28,13 +28,24 @@ public:
   void
   visitAround(const Vector3& place, Visit visit) const
   {
+    visitRangesAround(place, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        visit(order_[i]);
+      }
+    });
+  }
+
+  /** \brief Calls visit (begin, end) for ranges of order () with those points: for callers that keep what they need of
+   * the points in that order. */
+  template <typename Visit>
+  void
+  visitRangesAround(const Vector3& place, Visit visit) const
+  {
     const std::array<std::int64_t, 3> centre = cube(place);
     for (std::int64_t z = -1; z <= 1; ++z) {
       for (std::int64_t y = -1; y <= 1; ++y) {
         const auto [begin, end] = row({centre[0] - 1, centre[1] + y, centre[2] + z}, centre[0] + 1);
-        for (std::size_t i = begin; i < end; ++i) {
-          visit(order_[i]);
-        }
+        visit(begin, end);
       }
     }
   }
@@ -123,13 +134,44 @@ private:
 
   /** Entries of the cubes from one to another along x. */
   std::array<std::size_t, 2>
-  row(const std::array<std::int64_t, 3>& first, std::int64_t last_x) const;
+  row(const std::array<std::int64_t, 3>& first, std::int64_t last_x) const
+  {
+    return starts_.empty() ? hashedRow(first, last_x) : listedRow(first, last_x);
+  }
+
+  std::array<std::size_t, 2>
+  hashedRow(const std::array<std::int64_t, 3>& first, std::int64_t last_x) const;
+
+  std::array<std::size_t, 2>
+  listedRow(const std::array<std::int64_t, 3>& first, std::int64_t last_x) const
+  {
+    const std::int64_t x = std::max<std::int64_t>(first[0] - low_[0], 0);
+    const std::int64_t end_x = std::min(last_x - low_[0] + 1, size_[0]);
+    const std::int64_t y = first[1] - low_[1];
+    const std::int64_t z = first[2] - low_[2];
+    if (x >= end_x || y < 0 || y >= size_[1] || z < 0 || z >= size_[2]) {
+      return {0, 0};
+    }
+    const std::uint32_t* starts = starts_.data() + (z * size_[1] + y) * size_[0];
+    return {starts[x], starts[end_x]};
+  }
+
+  void
+  listCubes(const std::vector<Vector3>& points);
+
+  void
+  hashRows(const std::vector<Row>& rows);
 
   float inverse_cell_;
-  std::vector<Row> rows_;        ///< hashed, at most half full
-  unsigned shift_ = 0;           ///< from a hash to a place among rows_
-  std::vector<std::int32_t> xs_; ///< of the cubes of the entries, ascending within a row
-  std::vector<Index> order_;     ///< points of the entries, ascending within a cube
+  /** Where the cubes are few, the first entry of each one of the box around all, x fastest, and one more at the end; empty
+   * where they are many. */
+  std::vector<std::uint32_t> starts_;
+  std::array<std::int64_t, 3> low_{};  ///< cube of the box
+  std::array<std::int64_t, 3> size_{}; ///< of the box, in cubes
+  std::vector<Row> rows_;              ///< where the cubes are many: hashed, at most half full
+  unsigned shift_ = 0;                 ///< from a hash to a place among rows_
+  std::vector<std::int32_t> xs_;       ///< of the cubes of the entries, ascending within a row
+  std::vector<Index> order_;           ///< points of the entries, ascending within a cube
 };
 
 /** \brief The edge of cubes of which 27 hold at most \a most points on average: \a cell, or less where points are crowded.

@@ -26,8 +26,9 @@ struct RobustSettings {
   SearchSettings search;
   RefinementSettings refinement;
   LimbExchangeSettings exchange;
-  std::size_t contenders = 4;    ///< best candidates that are refined and compared, as long as their scores
-  float contender_margin = 0.7F; ///< are not worse than the best one's by more than this: half as isometric
+  std::size_t contenders = 4;       ///< best candidates that are refined and compared, as long as their scores
+  float contender_margin = 0.7F;    ///< are not worse than the best one's by more than this: half as isometric
+  std::size_t later_contenders = 2; ///< the same beside maps of other interpretations, which are refined as well
 };
 
 /** \brief Finds the symmetric map of any connected surface.

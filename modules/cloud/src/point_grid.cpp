@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace pcl {
@@ -51,6 +52,48 @@ PointGrid::PointGrid(const std::vector<Vector3>& points, float cell) : inverse_c
     xs_.push_back(static_cast<std::int32_t>(static_cast<std::int64_t>(key & ((Key{1} << 21U) - 1U)) - offset));
     order_.push_back(point);
   }
+  listCubes(points);
+  if (starts_.empty()) {
+    hashRows(rows);
+  }
+}
+
+/** Lists the cubes of the box around all points, where these are few enough. */
+void
+PointGrid::listCubes(const std::vector<Vector3>& points)
+{
+  constexpr std::int64_t most_cubes = std::int64_t{1} << 19; // two megabytes, which a cache may hold
+  if (points.empty()) {
+    return;
+  }
+  low_ = cube(points.front());
+  std::array<std::int64_t, 3> high = low_;
+  for (const Vector3& p : points) {
+    const std::array<std::int64_t, 3> c = cube(p);
+    for (std::size_t k = 0; k < 3; ++k) {
+      low_[k] = std::min(low_[k], c[k]);
+      high[k] = std::max(high[k], c[k]);
+    }
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    size_[k] = high[k] - low_[k] + 1;
+  }
+  // A size has 21 bits at most, so that two of them multiplied do not overflow, nor the third where these are few.
+  if (size_[0] * size_[1] > most_cubes || size_[0] * size_[1] * size_[2] > most_cubes) {
+    return;
+  }
+  starts_.assign(static_cast<std::size_t>(size_[0] * size_[1] * size_[2] + 1), 0);
+  for (const Vector3& p : points) {
+    const std::array<std::int64_t, 3> c = cube(p);
+    const std::int64_t number = ((c[2] - low_[2]) * size_[1] + c[1] - low_[1]) * size_[0] + c[0] - low_[0];
+    ++starts_[static_cast<std::size_t>(number) + 1];
+  }
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+}
+
+void
+PointGrid::hashRows(const std::vector<Row>& rows)
+{
   unsigned bits = 1;
   while ((std::size_t{1} << bits) < 2 * rows.size()) {
     ++bits;
@@ -90,7 +133,7 @@ PointGrid::slot(Key key) const
 }
 
 std::array<std::size_t, 2>
-PointGrid::row(const std::array<std::int64_t, 3>& first, std::int64_t last_x) const
+PointGrid::hashedRow(const std::array<std::int64_t, 3>& first, std::int64_t last_x) const
 {
   const Row& row = rows_[slot(rowKey(first))];
   const auto begin = std::lower_bound(xs_.begin() + row.begin, xs_.begin() + row.end, first[0]);

@@ -59,6 +59,12 @@ private:
   const CoarseSurface& coarse_;
   float spacing_;
   PointGrid grid_; ///< of the samples
+
+  struct OrientedSample {
+    Vector3 place;
+    Vector3 normal;
+  };
+  std::vector<OrientedSample> in_order_; ///< the samples in the order of the grid, next to each other in memory
 };
 
 } // namespace symmetry

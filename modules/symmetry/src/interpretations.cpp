@@ -81,6 +81,9 @@ contactTests(const PreparedSurface& surface, const SymmetryParameters& parameter
     return {ContactTest{}};
   }
   const bool is_precise = surface.summary.smoothing_radius == 0.0F && surface.size() >= dense_points;
+  if (surface.summary.read_as_cloud && is_precise) {
+    return {parallel_sheets, usual}; // a mesh is not voted on: the other two lead to the same maps
+  }
   std::vector<ContactTest> tests;
   if (depths.empty() && is_precise) {
     tests.push_back(parallel_sheets);

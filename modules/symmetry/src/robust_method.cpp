@@ -54,8 +54,9 @@ estimateRobust(const PreparedSurface& surface,
   // Refine: the candidates that come close, to the precision of the surface.
   timer.start("matching", 0.7);
   const SampleRefinement refinement(sampled, settings.refinement);
+  const std::size_t searched = known.empty() ? settings.contenders : settings.later_contenders;
   std::vector<Contender> contenders =
-      refineContenders(refinement, candidates, settings.contenders, settings.contender_margin);
+      refineContenders(refinement, candidates, searched, settings.contender_margin);
 
   const std::vector<SymmetryCandidate> given =
       candidatesFromMaps(sampled, landmarkMapsOf(sampled, known), settings.search);

@@ -32,6 +32,9 @@ PatchFitting::PatchFitting(const CoarseSurface& coarse)
       spacing_(sampleSpacing(coarse)),
       grid_(coarse.points, uncrowdedCell(coarse.points, reach * spacing_, most_around))
 {
+  for (const Index i : grid_.order()) {
+    in_order_.push_back({coarse.points[i], coarse.normals[i]});
+  }
 }
 
 RigidReflection
@@ -52,20 +55,24 @@ PatchFitting::settled(const SurfacePatch& patch, const RigidReflection& reflecti
   constexpr int rounds = 3;
   constexpr std::size_t fewest = 6;
   constexpr float hopeless = 1.5F; // times the limit, after the first round
+  float total = 0.0F;
+  for (std::size_t m = 0; m < fittedMembers(patch); ++m) {
+    total += patch[m].weight;
+  }
   PatchPlacement placement{reflection, 1.0F};
   std::vector<OrientedMatch> matches;
   for (int round = 0;; ++round) {
+    // Misfits only add up: what is beyond this part way is given up at the end of the round.
+    const float most = (round == 0 ? 1.0F : round < rounds ? hopeless * limit : limit) * total;
     matches.clear();
     float sum = 0.0F;
-    float total = 0.0F;
-    for (std::size_t m = 0; m < fittedMembers(patch); ++m) {
+    for (std::size_t m = 0; m < fittedMembers(patch) && sum <= most; ++m) {
       const auto [sample, weight] = patch[m];
       const Vector3 place = placement.reflection(coarse_.points[sample]);
       const Vector3 normal = placement.reflection.turned(coarse_.normals[sample]);
       const Index image = nearestFacing(place, normal);
       const float misfit = misfitAt(image, place, normal);
       sum += weight * misfit;
-      total += weight;
       if (misfit < 1.0F) {
         const float trust = (1.0F - misfit) * (1.0F - misfit);
         matches.push_back({coarse_.points[sample], coarse_.normals[sample], coarse_.points[image],
@@ -74,7 +81,7 @@ PatchFitting::settled(const SurfacePatch& patch, const RigidReflection& reflecti
     }
     placement.misfit = sum / total;
     const bool is_hopeless = round > 0 && placement.misfit > hopeless * limit;
-    if (round == rounds || placement.misfit < enough || matches.size() < fewest || is_hopeless) {
+    if (sum > most || round == rounds || placement.misfit < enough || matches.size() < fewest || is_hopeless) {
       return placement;
     }
     placement.reflection = fitReflection(matches, normal_reach * spacing_);
@@ -85,17 +92,19 @@ Index
 PatchFitting::nearestFacing(const Vector3& place, const Vector3& normal) const
 {
   const float turn_cost = 8.0F * spacing_ * spacing_; // a right angle costs like 2.8 spacings; by hand
-  Index best = no_index;
+  std::size_t best = in_order_.size();
   float least = std::numeric_limits<float>::infinity();
-  grid_.visitAround(place, [&](Index i) {
-    const Vector3 off = coarse_.points[i] - place;
-    const float cost = dot(off, off) + turn_cost * (1.0F - dot(normal, coarse_.normals[i]));
-    if (cost < least) {
-      least = cost;
-      best = i;
+  grid_.visitRangesAround(place, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vector3 off = in_order_[i].place - place;
+      const float cost = dot(off, off) + turn_cost * (1.0F - dot(normal, in_order_[i].normal));
+      if (cost < least) {
+        least = cost;
+        best = i;
+      }
     }
   });
-  return best;
+  return best == in_order_.size() ? no_index : grid_.order()[best];
 }
 
 /** Squared distance from the plane at a sample, or from the surface where that ends, in units of the spacing, and 1 -
