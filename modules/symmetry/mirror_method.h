@@ -5,6 +5,7 @@
 
 #include "symmetry/map_estimate.h"
 #include "symmetry/mirror/plane_search.h"
+#include "symmetry/refine/sample_refinement.h"
 #include "symmetry/samples/sampled_surface.h"
 
 #include <pcl/symmetry/symmetry_parameters.h>
@@ -20,7 +21,7 @@ struct MirrorSettings {
   float reach = 0.03F; ///< of the image of a point, within which its partner is: twice the spacing of the samples
 };
 
-/** \brief Planes in which the surface is its own mirror image but for a twentieth of its area, the best first. */
+/** \brief Planes in which the surface is its own mirror image, see findMirrorPlanes (). */
 std::vector<MirrorFit>
 mirrorPlanesOf(const SampledSurface& sampled, const MirrorSettings& settings);
 
@@ -32,10 +33,23 @@ mirrorPlanesOf(const PreparedSurface& cloud, std::size_t samples, const MirrorSe
 bool
 haveEqualFits(const std::vector<MirrorFit>& planes);
 
+/** \brief How a map of the samples that was found otherwise compares with that of a plane. */
+struct PlaneComparison {
+  bool contradicts = false; ///< what the plane carries onto the surface goes elsewhere
+  bool exchanges = false;   ///< most of the rest has a counterpart: it changes places, as the limbs of a posed body do
+};
+
+PlaneComparison
+compareWithPlane(const SampledSurface& sampled,
+                 const SampleEstimate& samples,
+                 const MirrorFit& fit,
+                 const MirrorSettings& settings);
+
 /** \brief The map that the first of several mirror planes makes, with the others as alternatives and the rotations that
  * it makes with them.
  *
- * The confidence is the share of the area that comes to lie on the surface.
+ * The confidence is the share of the area that comes to lie on the surface. Connected pieces that do not, from half a per
+ * cent of the area on (SupportSettings::least_area), are said to have no counterpart.
  * \param[in] planes at least one, see mirrorPlanesOf () */
 MapEstimate
 estimateByMirror(const SampledSurface& sampled,

@@ -208,6 +208,14 @@ extentAlong(const Scene& scene, const Vector3& direction)
   return most - least;
 }
 
+/** \brief Whether there is nothing to be seen from the side, as of a sheet: it is looked at from the front, up or not. */
+bool
+isFlat(const Scene& scene, const std::array<Vector3, 3>& principal)
+{
+  constexpr float thin = 0.01F;
+  return extentAlong(scene, principal[2]) < thin * extentAlong(scene, principal[0]);
+}
+
 /** \brief Of several views the one that shows most from before and from behind; ties go to the first. */
 PictureView
 bestOf(const Scene& scene, const std::vector<PictureView>& views, bool has_sides)
@@ -320,7 +328,8 @@ chooseView(const Surface& surface, const SymmetryResult& result, const std::vect
   const bool has_pairs = norm(lateral) > 0.0F;
   const Vector3 level = has_pairs ? lateral : principal[1];
 
-  const Vector3 upright = has_pairs ? uprightDirection(scene.points, lateral) : Vector3{0.0F, 0.0F, 0.0F};
+  const bool can_stand = has_pairs && !isFlat(scene, principal);
+  const Vector3 upright = can_stand ? uprightDirection(scene.points, lateral) : Vector3{0.0F, 0.0F, 0.0F};
   if (norm(upright) > 0.0F) {
     PictureView view = bestOf(scene, viewsAround(scene, upright, level), has_pairs);
     fitView(surface.points, view);

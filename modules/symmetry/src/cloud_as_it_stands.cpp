@@ -30,7 +30,7 @@ CloudAsItStands::mirrored(float confidence, StepTimer& timer)
     return std::nullopt;
   }
   const std::vector<MirrorFit> planes = mirrorPlanesOf(surface_, settings.sampling.samples, settings.mirror);
-  if (planes.empty() || planes.front().share <= confidence) {
+  if (planes.empty() || planes.front().is_of_part || planes.front().share <= confidence) {
     return std::nullopt;
   }
   const SampledSurface sampled = sampleSurface(surface_, settings.sampling, parameters_.metric, timer);

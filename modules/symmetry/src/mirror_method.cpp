@@ -5,8 +5,13 @@
 #include "base/parallel.h"
 #include "base/statistics.h"
 #include "geodesic/farthest_point_sampling.h"
+#include "symmetry/confidence/support.h"
+#include "symmetry/confidence/unsupported_parts.h"
+#include "symmetry/interpretation_maps.h"
 #include "symmetry/map_delivery.h"
 #include "symmetry/mirror/mirror_map.h"
+#include "symmetry/mirror/surface_distance.h"
+#include "symmetry/search/map_score.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +104,20 @@ areasAround(const std::vector<Vector3>& points)
   return areas;
 }
 
+/** Which points belong to pieces, large enough to be parts, whose images do not lie on the surface. */
+std::vector<char>
+pointsWithoutCounterpart(const PreparedSurface& surface, const PlaneReflection& plane, float tolerance)
+{
+  constexpr std::size_t grain = 64;
+  const SurfaceDistance distance_from(surface, tolerance);
+  std::vector<char> is_off(surface.size(), 0);
+  parallelFor(
+      surface.size(),
+      [&](std::size_t v) { is_off[v] = distance_from.at(plane.image(surface.points[v])) <= tolerance ? 0 : 1; }, grain);
+  keepLargeParts(surface, SupportSettings{}.least_area, is_off);
+  return is_off;
+}
+
 std::size_t
 countEqualFits(const std::vector<MirrorFit>& planes)
 {
@@ -158,6 +177,42 @@ haveEqualFits(const std::vector<MirrorFit>& planes)
   return countEqualFits(planes) > 1;
 }
 
+PlaneComparison
+compareWithPlane(const SampledSurface& sampled,
+                 const SampleEstimate& samples,
+                 const MirrorFit& fit,
+                 const MirrorSettings& settings)
+{
+  const PreparedSurface& surface = sampled.surface;
+  const SurfaceDistance distance_from(surface, toleranceFor(surface, settings.planes));
+  std::vector<Vector3> by_map;
+  std::vector<Vector3> by_plane;
+  std::vector<char> is_off(samples.partners.size(), 0);
+  for (std::size_t i = 0; i < is_off.size(); ++i) {
+    const Vector3 image = fit.plane.image(sampled.coarse.points[i]);
+    is_off[i] = std::isfinite(distance_from.at(image)) ? 0 : 1;
+    if (is_off[i] == 0) {
+      by_map.push_back(surface.points[samples.partners[i]]);
+      by_plane.push_back(image);
+    }
+  }
+  float rest = 0.0F;
+  float exchanged = 0.0F;
+  for (std::size_t i = 0; i < is_off.size(); ++i) {
+    if (is_off[i] == 0) {
+      continue;
+    }
+    rest += sampled.coarse.areas[i];
+    const Index landmark = sampled.landmarks.nearest_landmark[i];
+    // Of two limbs that are posed each is off the other's image; what changes places with the rest is no limb.
+    if (is_off[samples.map[i]] != 0 &&
+        isExchanged(sampled.landmarks, samples.landmark_map, landmark, limb_separation)) {
+      exchanged += sampled.coarse.areas[i];
+    }
+  }
+  return {!areAlike(by_map, by_plane), 2.0F * exchanged > rest};
+}
+
 MapEstimate
 estimateByMirror(const SampledSurface& sampled,
                  const std::vector<MirrorFit>& planes,
@@ -167,7 +222,12 @@ estimateByMirror(const SampledSurface& sampled,
   const MirrorFit& best = planes.front();
   MirrorMap map = mapByPlane(sampled, best.plane, settings);
   MapEstimate estimate;
-  estimate.status = SymmetryStatus::Symmetric;
+  estimate.is_unsupported =
+      pointsWithoutCounterpart(sampled.surface, best.plane, toleranceFor(sampled.surface, settings.planes));
+  estimate.is_partial = std::find(estimate.is_unsupported.begin(), estimate.is_unsupported.end(), 1) !=
+                        estimate.is_unsupported.end();
+  estimate.status = estimate.is_partial ? SymmetryStatus::PartlySymmetric : SymmetryStatus::Symmetric;
+  estimate.message = estimate.is_partial ? "a part of the surface has no counterpart" : "";
   estimate.confidence = best.share;
   estimate.map_confidence = best.share;
   estimate.supported_confidence = best.share;
@@ -175,7 +235,6 @@ estimateByMirror(const SampledSurface& sampled,
   estimate.misfit = exact_misfit;
   estimate.diameter = sampled.landmarks.diameter;
   estimate.measures = {{"mirror_share", best.share}, {"mirror_residual", best.residual}};
-  estimate.is_unsupported.assign(sampled.surface.size(), 0);
   const float reach = settings.reach * diagonalOf(sampled.surface);
   for (const float gap : map.gaps) {
     const float support = std::clamp(1.0F - gap / std::max(reach, 1e-6F), 0.0F, 1.0F);

@@ -23,6 +23,27 @@ tooFewPoints()
   return estimate;
 }
 
+/** Whether a mirror plane is more to be trusted than the best map that the search has found.
+ *
+ * No chance makes most of a surface lie exactly on itself: a map that does otherwise is wrong. One that does the same may
+ * explain the rest as well: limbs of a posed body, which it exchanges. An odd part is sent into itself, or anywhere. */
+bool
+explainsMore(const MirrorFit& plane,
+             const SampledSurface& sampled,
+             const std::vector<Contender>& contenders,
+             const MapEstimate& estimate,
+             const MirrorSettings& settings)
+{
+  if (!plane.is_of_part) {
+    return estimate.confidence < std::min(plane.share, in_doubt);
+  }
+  if (estimate.status != SymmetryStatus::Symmetric) {
+    return true;
+  }
+  const PlaneComparison map = compareWithPlane(sampled, contenders.front().samples, plane, settings);
+  return map.contradicts || (!map.exchanges && estimate.trust < plane.share);
+}
+
 } // namespace
 
 MapEstimate
@@ -43,7 +64,8 @@ estimateRobust(const PreparedSurface& surface,
   // Mirror: what is its own mirror image in space needs no search; that of several parts is rarely anything else, and
   // where several planes fit equally well a search would take any one.
   const std::vector<MirrorFit> planes = mirrorPlanesOf(sampled, settings.mirror);
-  if (!planes.empty() && (!surface.part_of.empty() || haveEqualFits(planes))) {
+  const bool is_whole = !planes.empty() && !planes.front().is_of_part;
+  if (is_whole && (!surface.part_of.empty() || haveEqualFits(planes))) {
     timer.start("dense", 0.8);
     return estimateByMirror(sampled, planes, parameters, settings.mirror);
   }
@@ -65,7 +87,7 @@ estimateRobust(const PreparedSurface& surface,
   // Judge: which of them fits best, and whether it is a symmetry at all.
   const MapJudge judge(sampled);
   MapEstimate estimate = judge.verdict(contenders);
-  if (!planes.empty() && estimate.confidence < planes.front().share && estimate.confidence < in_doubt) {
+  if (!planes.empty() && explainsMore(planes.front(), sampled, contenders, estimate, settings.mirror)) {
     timer.start("dense", 0.8);
     return estimateByMirror(sampled, planes, parameters, settings.mirror);
   }

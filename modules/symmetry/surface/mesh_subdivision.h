@@ -25,7 +25,8 @@ evenSpacing(const PreparedSurface& surface, std::size_t points);
  * A mesh in several parts or with fewer than half of the points that are \a wanted (two for each sample) is split until
  * no side is longer than what so many points, spread evenly over the area, are apart. Any other stays as it is but for
  * sides several times as long: a few split sides among others shorten ways on one side of a body and not on the other.
- * Nor is one of fewer than 60 points split: what has hardly a shape is not made to look as if it had.
+ * Nor is one of fewer than 60 points split, in several parts of fewer than 16: what has hardly a shape is not made to look
+ * as if it had.
  *
  * The splitting ends early where it would make more than four times the wanted points, of slivers.
  *

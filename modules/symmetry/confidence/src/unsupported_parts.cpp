@@ -26,7 +26,40 @@ pointAreas(const PreparedSurface& surface)
   return areas;
 }
 
+/** Connected groups of the points with a mark. */
+UnionFind
+groupsOf(const PreparedSurface& surface, const std::vector<char>& marks)
+{
+  UnionFind groups(surface.size());
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    for (const Index w : surface.graph.neighboursOf(v)) {
+      if (marks[v] != 0 && marks[w] != 0) {
+        groups.join(static_cast<Index>(v), w);
+      }
+    }
+  }
+  return groups;
+}
+
 } // namespace
+
+void
+keepLargeParts(const PreparedSurface& surface, float least_share, std::vector<char>& is_unsupported)
+{
+  UnionFind groups = groupsOf(surface, is_unsupported);
+  const std::vector<float> areas = pointAreas(surface);
+  std::vector<double> of_group(surface.size(), 0.0);
+  double all = 0.0;
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    all += areas[v];
+    of_group[groups.find(static_cast<Index>(v))] += areas[v];
+  }
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    if (of_group[groups.find(static_cast<Index>(v))] < double{least_share} * all) {
+      is_unsupported[v] = 0;
+    }
+  }
+}
 
 float
 shareWithPartner(const PreparedSurface& surface, const std::vector<Index>& partners)
@@ -44,17 +77,11 @@ shareWithPartner(const PreparedSurface& surface, const std::vector<Index>& partn
 std::vector<UnsupportedPart>
 unsupportedParts(const PreparedSurface& surface, const std::vector<char>& is_unsupported)
 {
+  UnionFind groups = groupsOf(surface, is_unsupported);
   std::vector<Index> supported;
-  UnionFind groups(surface.size());
   for (std::size_t v = 0; v < surface.size(); ++v) {
     if (is_unsupported[v] == 0) {
       supported.push_back(static_cast<Index>(v));
-      continue;
-    }
-    for (const Index w : surface.graph.neighboursOf(static_cast<Index>(v))) {
-      if (is_unsupported[w] != 0) {
-        groups.join(static_cast<Index>(v), w);
-      }
     }
   }
   const std::vector<float> from_supported = distanceField(surface.graph, supported);

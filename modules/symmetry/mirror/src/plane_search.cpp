@@ -177,6 +177,14 @@ shareByChance(const AreaSamples& samples, const SurfaceDistance& distance_from, 
   return least;
 }
 
+/** Whether what lies on the surface does so exactly, see PlaneSearchSettings::exact_residual. */
+bool
+isExact(const MirrorFit& fit, const PlaneSearchSettings& settings, float tolerance)
+{
+  const float of_rest = 1.0F - fit.share; // each counts a whole tolerance
+  return fit.residual / tolerance - of_rest <= settings.exact_residual * fit.share;
+}
+
 } // namespace
 
 std::vector<MirrorFit>
@@ -195,6 +203,7 @@ findMirrorPlanes(const AreaSamples& samples, const PreparedSurface& surface, con
   std::optional<SurfaceAlignment> fitting; // made where there is need
   std::optional<float> chance;             // known where there is need
   std::vector<MirrorFit> fits;
+  std::optional<MirrorFit> of_part; // the largest
   for (const PlaneReflection& plane : chosen) {
     MirrorFit fit = look(alignment.run(plane, settings.rounds), first_look);
     if (fit.share < settings.promising_share) {
@@ -218,12 +227,23 @@ findMirrorPlanes(const AreaSamples& samples, const PreparedSurface& surface, con
       const MirrorFit fitted = look(fitting->run(fit.plane, settings.rounds), samples.size());
       fit = fitted.residual < fit.residual ? fitted : fit;
     }
-    if (fit.share - *chance >= settings.least_share * (1.0F - *chance) &&
-        fit.displacement >= settings.least_displacement * diagonal &&
-        std::all_of(fits.begin(), fits.end(),
-                    [&](const MirrorFit& other) { return areDistinct(fit.plane, other.plane, settings.distinct); })) {
+    if (fit.displacement < settings.least_displacement * diagonal) {
+      continue;
+    }
+    if (fit.share - *chance < settings.least_share * (1.0F - *chance)) {
+      if (isExact(fit, settings, tolerance) && (!of_part || fit.share > of_part->share)) {
+        of_part = fit;
+      }
+    }
+    else if (std::all_of(fits.begin(), fits.end(), [&](const MirrorFit& other) {
+               return areDistinct(fit.plane, other.plane, settings.distinct);
+             })) {
       fits.push_back(fit);
     }
+  }
+  if (fits.empty() && of_part) {
+    of_part->is_of_part = true;
+    fits.push_back(*of_part);
   }
   orderByFit(fits, settings, tolerance);
   return fits;

@@ -21,7 +21,8 @@ sideOf(const Triangle& t, std::size_t k)
   return std::minmax(t[k], t[(k + 1) % 3]);
 }
 
-constexpr std::size_t points_of_a_shape = 60; // as few as the robust method takes
+constexpr std::size_t points_of_a_shape = 60;   // as few as the robust method takes
+constexpr std::size_t points_of_an_object = 16; // two boxes: how parts lie to each other is a shape
 constexpr float side_of_fine_mesh = 4.0F;     // spacings: as far as samples reach
 
 bool
@@ -134,10 +135,11 @@ splitLongSides(PreparedSurface& surface, std::size_t wanted)
 {
   const std::size_t before = surface.size();
   const std::size_t most = before + 4 * wanted; // slivers would take more
-  const bool is_coarse = 2 * before < wanted || hasSeveralParts(surface);
+  const bool is_in_parts = hasSeveralParts(surface);
+  const bool is_coarse = 2 * before < wanted || is_in_parts;
   const float longest =
       surface.triangles.empty() ? 0.0F : (is_coarse ? 1.0F : side_of_fine_mesh) * evenSpacing(surface, wanted);
-  if (!(longest > 0.0F) || before < points_of_a_shape) {
+  if (!(longest > 0.0F) || before < (is_in_parts ? points_of_an_object : points_of_a_shape)) {
     return 0;
   }
   std::vector<Triangle> unsplit = surface.triangles;
