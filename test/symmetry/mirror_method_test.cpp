@@ -48,7 +48,8 @@ TEST(MirrorPlanesOfACloud, APartAsLargeAsOthersCounts)
 {
   Surface chair = chairOfBoxes();
   addBox(chair, {0.3F, -0.25F, 0.4F}, {0.7F, 0.2F, 0.45F}); // a table at one arm
-  EXPECT_TRUE(planesOfCloud(splitTwice(chair).points).empty());
+  const std::vector<MirrorFit> planes = planesOfCloud(splitTwice(chair).points);
+  EXPECT_TRUE(planes.empty() || planes[0].is_of_part);
 }
 
 TEST(MirrorPlanesOfACloud, StrayPointsDoNotOutweighTheRest)

@@ -31,7 +31,7 @@ struct PlaneSearchSettings {
   float equal_residual = 0.1F;  ///< tolerances by which the mean distances of planes that fit equally well differ,
   float equal_share = 0.005F;   ///< and the same of the shares of the area
   /** Tolerances by which what lies on the surface is off it on average, at most, in a plane of a part: what was made in two
-   * mirrored halves is off by 0.02 at most, what only stands nearly so by 0.2 and more. */
+   * mirrored halves is off by 0.02 at most, what only stands nearly so by 0.2 and more. 0: none is found. */
   float exact_residual = 0.1F;
   float least_displacement = 0.02F; ///< mean distance from the plane: a sheet lies in its own plane and maps to itself
 };
@@ -58,7 +58,8 @@ struct MirrorFit {
  * The mirror plane of a body goes through its centroid: planes through it in all directions are compared by a distance
  * field on a grid (P. Felzenszwalb, D. Huttenlocher, 2012 \cite felzenszwalb2012distance), the best are aligned as by
  * iterated closest points (Y. Chen, G. Medioni, 1992 \cite chen1992modelling) with the weights of a robust estimator,
- * since some parts may lack a counterpart.
+ * since some parts may lack a counterpart. Where none of them carries the whole onto itself, planes
+ * beside the centroid are tried as well, which an odd part pulls towards it.
  *
  * \param[in] samples of the surface
  */

@@ -68,6 +68,9 @@ planesThatFit(const PreparedSurface& surface, const AreaSamples& samples, const 
 {
   PlaneSearchSettings search = settings.planes;
   search.tolerance = toleranceFor(surface, settings.planes) / diagonalOf(surface);
+  if (search.tolerance > settings.planes.tolerance) {
+    search.exact_residual = 0.0F; // between sparse points nothing is known exactly
+  }
   return findMirrorPlanes(samples, surface, search);
 }
 
@@ -224,14 +227,15 @@ estimateByMirror(const SampledSurface& sampled,
   MapEstimate estimate;
   estimate.is_unsupported =
       pointsWithoutCounterpart(sampled.surface, best.plane, toleranceFor(sampled.surface, settings.planes));
-  estimate.is_partial = std::find(estimate.is_unsupported.begin(), estimate.is_unsupported.end(), 1) !=
-                        estimate.is_unsupported.end();
+  estimate.is_partial =
+      std::find(estimate.is_unsupported.begin(), estimate.is_unsupported.end(), 1) != estimate.is_unsupported.end();
   estimate.status = estimate.is_partial ? SymmetryStatus::PartlySymmetric : SymmetryStatus::Symmetric;
   estimate.message = estimate.is_partial ? "a part of the surface has no counterpart" : "";
   estimate.confidence = best.share;
   estimate.map_confidence = best.share;
   estimate.supported_confidence = best.share;
   estimate.trust = best.share;
+  estimate.is_by_plane = true;
   estimate.misfit = exact_misfit;
   estimate.diameter = sampled.landmarks.diameter;
   estimate.measures = {{"mirror_share", best.share}, {"mirror_residual", best.residual}};

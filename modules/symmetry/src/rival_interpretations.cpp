@@ -121,8 +121,8 @@ RivalInterpretations::isSettled() const
   if (kind.kept->estimate.status == SymmetryStatus::TooFewPoints) {
     return true;
   }
-  if (kind.kept->estimate.is_partial && kind.kept->estimate.misfit > exact_misfit) {
-    return false; // one of those to come may explain the whole, but for what a plane leaves
+  if (kind.kept->estimate.is_partial && !kind.kept->estimate.is_by_plane) {
+    return false; // one of those to come may explain the whole
   }
   if (pooling_ == Pooling::Odds) {
     return shareOfOdds(best) >= in_doubt;

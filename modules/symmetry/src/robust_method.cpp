@@ -25,8 +25,9 @@ tooFewPoints()
 
 /** Whether a mirror plane is more to be trusted than the best map that the search has found.
  *
- * No chance makes most of a surface lie exactly on itself: a map that does otherwise is wrong. One that does the same may
- * explain the rest as well: limbs of a posed body, which it exchanges. An odd part is sent into itself, or anywhere. */
+ * No chance makes most of an object in parts lie exactly on itself: a map that does otherwise is wrong. A body may be nearly
+ * mirrored front to back besides: there the more certain one counts. A map that does the same as the plane may explain the
+ * rest as well, refused or not: limbs of a posed body, which it exchanges. An odd part is sent into itself, or anywhere. */
 bool
 explainsMore(const MirrorFit& plane,
              const SampledSurface& sampled,
@@ -37,11 +38,12 @@ explainsMore(const MirrorFit& plane,
   if (!plane.is_of_part) {
     return estimate.confidence < std::min(plane.share, in_doubt);
   }
-  if (estimate.status != SymmetryStatus::Symmetric) {
+  if (contenders.empty()) {
     return true;
   }
   const PlaneComparison map = compareWithPlane(sampled, contenders.front().samples, plane, settings);
-  return map.contradicts || (!map.exchanges && estimate.trust < plane.share);
+  const bool is_certain = estimate.trust >= plane.share;
+  return map.contradicts ? !is_certain || !sampled.surface.part_of.empty() : !is_certain && !map.exchanges;
 }
 
 } // namespace
@@ -77,8 +79,7 @@ estimateRobust(const PreparedSurface& surface,
   timer.start("matching", 0.7);
   const SampleRefinement refinement(sampled, settings.refinement);
   const std::size_t searched = known.empty() ? settings.contenders : settings.later_contenders;
-  std::vector<Contender> contenders =
-      refineContenders(refinement, candidates, searched, settings.contender_margin);
+  std::vector<Contender> contenders = refineContenders(refinement, candidates, searched, settings.contender_margin);
 
   const std::vector<SymmetryCandidate> given =
       candidatesFromMaps(sampled, landmarkMapsOf(sampled, known), settings.search);
@@ -89,7 +90,10 @@ estimateRobust(const PreparedSurface& surface,
   MapEstimate estimate = judge.verdict(contenders);
   if (!planes.empty() && explainsMore(planes.front(), sampled, contenders, estimate, settings.mirror)) {
     timer.start("dense", 0.8);
-    return estimateByMirror(sampled, planes, parameters, settings.mirror);
+    MapEstimate mirrored = estimateByMirror(sampled, planes, parameters, settings.mirror);
+    // What it leaves out may be a pose: among interpretations it counts no more than the map it is preferred to.
+    mirrored.misfit = planes.front().is_of_part ? estimate.misfit : mirrored.misfit;
+    return mirrored;
   }
   if (contenders.empty()) {
     return estimate;

@@ -41,6 +41,23 @@ TEST(UnsupportedParts, AreToldApartTheLargestFirst)
   EXPECT_TRUE(unsupportedParts(surface, marked(1, 0)).empty());
 }
 
+TEST(KeepLargeParts, TakesTheMarkOffSmallOnes)
+{
+  const PreparedSurface surface = prepared(gridMesh(columns, rows));
+  std::vector<char> marks = marked(0, 2); // an eighth of the area
+  const std::vector<char> large = marked(15, 20);
+  for (std::size_t v = 0; v < marks.size(); ++v) {
+    marks[v] = marks[v] != 0 || large[v] != 0 ? 1 : 0;
+  }
+  const std::vector<char> both = marks;
+  keepLargeParts(surface, 0.12F, marks);
+  EXPECT_EQ(marks, both);
+  keepLargeParts(surface, 0.13F, marks);
+  EXPECT_EQ(marks, large);
+  keepLargeParts(surface, 0.5F, marks);
+  EXPECT_EQ(marks, marked(1, 0));
+}
+
 TEST(ShareWithPartner, IsOfTheAreaWhereThereAreTriangles)
 {
   const Surface grid = gridMesh(columns, rows);

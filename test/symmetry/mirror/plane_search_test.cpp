@@ -80,6 +80,38 @@ TEST(FindMirrorPlanes, FindsThePlaneOfABodyAtRestInAnyPosition)
   }
 }
 
+TEST(FindMirrorPlanes, FindsThatOfMostWhereTheRestIsFittedOn)
+{
+  Surface chair = chairOfBoxes();
+  addBox(chair, {0.3F, -0.25F, 0.4F}, {0.7F, 0.2F, 0.45F}); // a table at one arm, a fifth of the area
+  const std::vector<MirrorFit> planes = planesOf(splitOften(chair));
+  ASSERT_EQ(planes.size(), 1U);
+  EXPECT_TRUE(planes[0].is_of_part);
+  EXPECT_GT(std::abs(planes[0].plane.normal[0]), 0.9999F);
+  EXPECT_GT(planes[0].share, 0.7F);
+  EXPECT_LT(planes[0].share, 0.9F);
+  const std::vector<MirrorFit> whole = planesOf(splitOften(chairOfBoxes()));
+  ASSERT_FALSE(whole.empty());
+  EXPECT_FALSE(whole[0].is_of_part);
+}
+
+TEST(FindMirrorPlanes, WhatIsOnlyNearlyTheSameWasNotMadeSo)
+{
+  const auto roughened = [](Surface mesh) {
+    mesh = splitOften(mesh);
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<float> off(-0.004F, 0.004F); // within the tolerance, 0.006
+    for (Vector3& p : mesh.points) {
+      p = p + Vector3{off(random), off(random), off(random)};
+    }
+    return mesh;
+  };
+  Surface chair = chairOfBoxes();
+  EXPECT_FALSE(planesOf(roughened(chair)).empty());
+  addBox(chair, {0.3F, -0.25F, 0.4F}, {0.7F, 0.2F, 0.45F});
+  EXPECT_TRUE(planesOf(roughened(chair)).empty());
+}
+
 TEST(FindMirrorPlanes, FindsNoneOfABodyInAPose)
 {
   EXPECT_TRUE(planesOf(bentHuman().surface).empty());
@@ -103,7 +135,10 @@ TEST(FindMirrorPlanes, ASheetIsNoMirrorImageInItsOwnPlane)
   for (Vector3& p : sheet.points) {
     p[0] += 0.2F * p[1]; // a parallelogram has no mirror plane but its own
   }
-  EXPECT_TRUE(planesOf(sheet).empty());
+  for (const MirrorFit& fit : planesOf(sheet)) {
+    EXPECT_TRUE(fit.is_of_part) << "of all but two corners";
+    EXPECT_LT(std::abs(fit.plane.normal[2]), 0.1F);
+  }
 }
 
 void

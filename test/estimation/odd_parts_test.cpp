@@ -1,0 +1,169 @@
+// Objects that are mirrored but for a part that was fitted on, and bodies whose limbs are only posed.
+#include "base/vector_math.h"
+#include "support/boxes.h"
+#include "support/symmetric_shapes.h"
+
+#include <pcl/symmetry/symmetry.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace pcl::symmetry;
+using namespace pcl::symmetry::test;
+
+namespace {
+
+constexpr std::size_t of_chair = 64;
+
+/** Number of the first points whose partner is not where the plane x = 0 has it. */
+std::size_t
+wrongPartners(const Surface& surface, const SymmetryResult& result, std::size_t count, float near)
+{
+  std::size_t wrong = 0;
+  for (std::size_t v = 0; v < count; ++v) {
+    const Vector3& p = surface.points[v];
+    const Index partner = result.partners[v];
+    wrong += partner == no_index || distance(surface.points[partner], {-p[0], p[1], p[2]}) > near ? 1U : 0U;
+  }
+  return wrong;
+}
+
+/** A chair with a table at one arm: a fifth of the area. */
+Surface
+chairWithTable()
+{
+  Surface chair = chairOfBoxes();
+  addBox(chair, {0.3F, -0.25F, 0.4F}, {0.7F, 0.2F, 0.45F});
+  return chair;
+}
+
+TEST(OddParts, OfAMeshAreNamedAndTheRestIsMirrored)
+{
+  const Surface chair = chairWithTable();
+  const SymmetryResult result = estimateIntrinsicSymmetry(chair);
+  ASSERT_EQ(result.status, SymmetryStatus::PartlySymmetric) << result.message;
+  EXPECT_EQ(wrongPartners(chair, result, of_chair, 1e-3F), 0U);
+  for (std::size_t v = of_chair; v < chair.size(); ++v) {
+    EXPECT_EQ(result.partners[v], no_index) << v;
+  }
+  ASSERT_EQ(result.unsupported.size(), 1U);
+  EXPECT_NEAR(result.unsupported[0].share, 0.2F, 0.07F);
+  EXPECT_GE(result.unsupported[0].extreme, static_cast<Index>(of_chair));
+  EXPECT_NEAR(std::abs(result.plane.normal[0]), 1.0, 1e-3);
+  EXPECT_NEAR(result.confidence, 0.8F, 0.1F) << "the share that has a counterpart";
+}
+
+/** Points at random places, as many on each area as on any other of its size. */
+Surface
+scattered(const Surface& mesh, std::size_t count)
+{
+  std::vector<float> areas;
+  for (const Triangle& t : mesh.triangles) {
+    const Vector3& a = mesh.points[t[0]];
+    areas.push_back(norm(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a)));
+  }
+  std::mt19937_64 random(1);
+  std::discrete_distribution<std::size_t> face(areas.begin(), areas.end());
+  std::uniform_real_distribution<float> share(0.0F, 1.0F);
+  Surface cloud;
+  while (cloud.size() < count) {
+    const Triangle& t = mesh.triangles[face(random)];
+    const float u = std::sqrt(share(random));
+    const float v = share(random);
+    cloud.points.push_back((1.0F - u) * mesh.points[t[0]] + u * (1.0F - v) * mesh.points[t[1]] +
+                           u * v * mesh.points[t[2]]);
+  }
+  return cloud;
+}
+
+TEST(OddParts, OfACloudAreNamedAndTheRestIsMirrored)
+{
+  const Surface chair = scattered(chairWithTable(), 8000);
+  const SymmetryResult result = estimateIntrinsicSymmetry(chair);
+  ASSERT_EQ(result.status, SymmetryStatus::PartlySymmetric) << result.message;
+  std::size_t mapped = 0;
+  std::size_t wrong = 0;
+  std::size_t of_table = 0;
+  for (std::size_t v = 0; v < chair.size(); ++v) {
+    const Vector3& p = chair.points[v];
+    if (result.partners[v] != no_index) {
+      ++mapped;
+      wrong += distance(chair.points[result.partners[v]], {-p[0], p[1], p[2]}) > 0.05F ? 1U : 0U;
+      of_table += p[0] > 0.32F ? 1U : 0U; // without its rim, which the arm is near to
+    }
+  }
+  EXPECT_GT(mapped, chair.size() * 6 / 10);
+  EXPECT_LT(wrong, mapped / 100);
+  EXPECT_EQ(of_table, 0U);
+}
+
+TEST(OddParts, AKnobIsNone)
+{
+  Surface chair = chairOfBoxes();
+  addBox(chair, {0.1F, 0.25F, 0.9F}, {0.12F, 0.27F, 0.92F});
+  const SymmetryResult result = estimateIntrinsicSymmetry(chair);
+  EXPECT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  EXPECT_EQ(wrongPartners(chair, result, of_chair, 1e-3F), 0U);
+}
+
+TEST(OddParts, AFewBoxesAreAnObject)
+{
+  Surface stool;
+  addBox(stool, {-0.2F, -0.15F, 0.4F}, {0.2F, 0.15F, 0.43F});
+  for (const float x : {-0.18F, 0.14F}) {
+    addBox(stool, {x, -0.12F, 0.0F}, {x + 0.04F, 0.1F, 0.41F});
+  }
+  ASSERT_LT(stool.size(), 60U);
+  const SymmetryResult result = estimateIntrinsicSymmetry(stool);
+  ASSERT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  EXPECT_EQ(wrongPartners(stool, result, stool.size(), 1e-3F), 0U);
+}
+
+/** A trunk with a head, mirrored in x = 0, and arms: one hangs down, the other is raised. But for the head it is mirrored in
+ * z = 0 as well. */
+Surface
+figureWithRaisedArm(bool has_other_arm)
+{
+  using V = Eigen::Vector3d;
+  std::vector<RoundCone> cones;
+  cones.emplace_back(V(0.0, 0.0, 0.0), 0.3, V(0.0, 0.9, 0.0), 0.35);
+  cones.emplace_back(V(0.0, 1.2, 0.0), 0.15, V(0.0, 1.5, 0.1), 0.2);
+  for (const double side : {-1.0, 1.0}) {
+    cones.emplace_back(V(0.15 * side, -0.1, 0.0), 0.13, V(0.25 * side, -1.0, 0.0), 0.1);
+  }
+  cones.emplace_back(V(0.3, 0.9, 0.0), 0.1, V(1.1, 1.2, 0.0), 0.08);
+  if (has_other_arm) {
+    cones.emplace_back(V(-0.3, 0.9, 0.0), 0.1, V(-1.1, 0.6, 0.0), 0.08);
+  }
+  return skinOf(std::move(cones), 0.05);
+}
+
+std::size_t
+matched(const SymmetryResult& result)
+{
+  return static_cast<std::size_t>(
+      std::count_if(result.partners.begin(), result.partners.end(), [](Index partner) { return partner != no_index; }));
+}
+
+TEST(OddParts, PosedLimbsAreNone)
+{
+  const Surface figure = figureWithRaisedArm(true);
+  const SymmetryResult result = estimateIntrinsicSymmetry(figure);
+  EXPECT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  EXPECT_EQ(matched(result), figure.size());
+}
+
+TEST(OddParts, AnOddLimbOfAFigureIsOne)
+{
+  const Surface figure = figureWithRaisedArm(false);
+  const SymmetryResult result = estimateIntrinsicSymmetry(figure);
+  ASSERT_EQ(result.status, SymmetryStatus::PartlySymmetric) << result.message;
+  ASSERT_FALSE(result.unsupported.empty());
+  EXPECT_GT(figure.points[result.unsupported[0].extreme][0], 1.0F) << "the hand";
+}
+
+} // namespace
