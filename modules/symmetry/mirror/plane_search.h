@@ -58,8 +58,8 @@ struct MirrorFit {
  * The mirror plane of a body goes through its centroid: planes through it in all directions are compared by a distance
  * field on a grid (P. Felzenszwalb, D. Huttenlocher, 2012 \cite felzenszwalb2012distance), the best are aligned as by
  * iterated closest points (Y. Chen, G. Medioni, 1992 \cite chen1992modelling) with the weights of a robust estimator,
- * since some parts may lack a counterpart. Where none of them carries the whole onto itself, planes
- * beside the centroid are tried as well, which an odd part pulls towards it.
+ * since some parts may lack a counterpart. Where none of them carries a cloud or a mesh in several parts as a whole onto
+ * itself, planes beside the centroid are tried as well, which an odd part pulls towards it.
  *
  * \param[in] samples of the surface
  */

@@ -341,7 +341,9 @@ findMirrorPlanes(const AreaSamples& samples, const PreparedSurface& surface, con
 {
   PlaneFitting fitting(samples, surface, settings);
   fitting.tryPlanes(ratePlanes(samples, settings, samples.size(), {0.0F}, std::numeric_limits<float>::infinity()));
-  if (!fitting.hasWhole() && !fitting.isTooFull() && settings.exact_residual > 0.0F) {
+  // A mesh in one part is a body, more likely than an object: its map is found along the surface.
+  const bool may_be_object = surface.is_cloud || !surface.part_of.empty();
+  if (may_be_object && !fitting.hasWhole() && !fitting.isTooFull() && settings.exact_residual > 0.0F) {
     // What is fitted on pulls the centroid out of the plane of the rest, a fifth of the area by two fifths of a deviation
     // where it is two of them away; and it is as far from where it goes as it likes.
     const float farthest = fitting.hopeless() / (1.0F - settings.promising_share);
