@@ -77,6 +77,16 @@ TEST(PictureView, ShowsAPlateFromTheFrontAndAllOfIt)
   EXPECT_LT(view.height, 1.2F * 3.0F) << "and not much around it";
 }
 
+TEST(PictureView, ShowsASheetFromTheFrontWhicheverWayItWouldStand)
+{
+  // On its tip it would fall over, on its back it would not: but then there is nothing to be seen of it.
+  Plate rhombus;
+  for (Vector3& p : rhombus.surface.points) {
+    p[0] *= 1.0F - std::abs(p[1] - 1.5F) / 1.6F;
+  }
+  EXPECT_GT(std::abs(rhombus.view().toward[2]), 0.95F);
+}
+
 TEST(PictureView, DoesNotDependOnPlaceAndSize)
 {
   const Plate plate;
