@@ -1,11 +1,14 @@
+#include "base/vector_math.h"
 #include "cloud/clouds.h"
 #include "support/boxes.h"
+#include "support/prepared.h"
 #include "support/shapes.h"
 #include "symmetry/mirror_method.h"
 #include "symmetry/surface/surface_preparation.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace pcl::symmetry;
@@ -59,6 +62,91 @@ TEST(MirrorPlanesOfACloud, StrayPointsDoNotOutweighTheRest)
     corners.push_back({0.5F + 0.2F * static_cast<float>(i), 0.3F, 0.3F * static_cast<float>(i % 3)});
   }
   EXPECT_EQ(planesOfCloud(corners).size(), 1U);
+}
+
+/** A trunk with two bars, one of which is raised and one lowered: posed limbs. */
+class PosedBars : public testing::Test {
+protected:
+  static constexpr float raised = 0.25F;
+
+  PosedBars() : surface_(preparedMesh(mesh())), sampled_(sampleSurface(surface_, {}, Metric::Geodesic, timer_))
+  {
+    fit_.plane = {{1.0F, 0.0F, 0.0F}, 0.0F};
+  }
+
+  static Surface
+  mesh()
+  {
+    Surface mesh;
+    addBox(mesh, {-0.3F, -0.2F, -0.5F}, {0.3F, 0.2F, 0.5F});
+    addBox(mesh, {-0.9F, -0.1F, raised - 0.1F}, {-0.29F, 0.1F, raised + 0.1F});
+    addBox(mesh, {0.29F, -0.1F, -raised - 0.1F}, {0.9F, 0.1F, -raised + 0.1F});
+    return splitTwice(splitTwice(mesh));
+  }
+
+  /** The map of the samples that sends each to the point nearest to a place. */
+  template <typename Place>
+  SampleEstimate
+  sending(Place place) const
+  {
+    SampleEstimate samples;
+    for (const Vector3& p : sampled_.coarse.points) {
+      const Vector3 there = place(p);
+      const auto nearer = [&there](const Vector3& a, const Vector3& b) {
+        return distance(a, there) < distance(b, there);
+      };
+      const auto nearest = std::min_element(surface_.points.begin(), surface_.points.end(), nearer);
+      samples.partners.push_back(static_cast<Index>(nearest - surface_.points.begin()));
+      samples.map.push_back(sampled_.coarse.cells.owner[samples.partners.back()]);
+    }
+    for (std::size_t i = 0; i < sampled_.landmarks.size(); ++i) {
+      samples.landmark_map.push_back(sampled_.landmarks.nearest_landmark[samples.map[i]]);
+    }
+    return samples;
+  }
+
+  bool
+  isOfBar(const Vector3& p) const
+  {
+    return std::abs(p[0]) > 0.32F * surface_.scale;
+  }
+
+  StepTimer timer_;
+  PreparedSurface surface_;
+  SampledSurface sampled_;
+  MirrorFit fit_;
+};
+
+TEST_F(PosedBars, AreExchangedByAMapThatAgreesWithThePlaneElsewhere)
+{
+  const PlaneComparison compared =
+      compareWithPlane(sampled_, sending([this](const Vector3& p) {
+                         const float way = isOfBar(p) ? std::copysign(2.0F * raised * surface_.scale, p[0]) : 0.0F;
+                         return Vector3{-p[0], p[1], p[2] + way};
+                       }),
+                       fit_, {});
+  EXPECT_FALSE(compared.contradicts);
+  EXPECT_TRUE(compared.exchanges);
+}
+
+TEST_F(PosedBars, AreNotExchangedWhereEachStaysAtItsPlace)
+{
+  const PlaneComparison compared =
+      compareWithPlane(sampled_, sending([this](const Vector3& p) {
+                         return isOfBar(p) ? Vector3{p[0], -p[1], p[2]} : Vector3{-p[0], p[1], p[2]};
+                       }),
+                       fit_, {});
+  EXPECT_FALSE(compared.contradicts);
+  EXPECT_FALSE(compared.exchanges);
+}
+
+TEST_F(PosedBars, AMapThatTurnsTheTrunkAnotherWayContradicts)
+{
+  const PlaneComparison compared = compareWithPlane(sampled_, sending([](const Vector3& p) {
+                                                      return Vector3{p[0], -p[1], p[2]};
+                                                    }),
+                                                    fit_, {});
+  EXPECT_TRUE(compared.contradicts);
 }
 
 } // namespace
