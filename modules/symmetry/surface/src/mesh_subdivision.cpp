@@ -23,7 +23,7 @@ sideOf(const Triangle& t, std::size_t k)
 
 constexpr std::size_t points_of_a_shape = 60;   // as few as the robust method takes
 constexpr std::size_t points_of_an_object = 16; // two boxes: how parts lie to each other is a shape
-constexpr float side_of_fine_mesh = 4.0F;     // spacings: as far as samples reach
+constexpr float side_of_fine_mesh = 4.0F;       // spacings: as far as samples reach
 
 bool
 hasSeveralParts(const PreparedSurface& surface)
