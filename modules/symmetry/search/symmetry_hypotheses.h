@@ -15,9 +15,6 @@ namespace symmetry {
 
 /** \brief One guess: a symmetric orthogonal matrix on the non-constant spectral coordinates. */
 struct SymmetryHypothesis {
-  enum class Source { SignPattern, Extremities };
-
-  Source source = Source::SignPattern;
   Eigen::MatrixXf action; ///< d x d
 };
 

@@ -30,7 +30,6 @@ struct SearchSettings {
 
 /** \brief A refined map of the landmarks. */
 struct SymmetryCandidate {
-  SymmetryHypothesis::Source source = SymmetryHypothesis::Source::SignPattern;
   SampleMap map;          ///< partner of every landmark
   Eigen::MatrixXf matrix; ///< its action on the eigenfunctions
   MapScore score;

@@ -53,7 +53,6 @@ candidatesFromMaps(const SampledSurface& sampled, std::vector<SampleMap> maps, c
                                     {settings.levels.back()}, settings.guidance);
   parallelFor(candidates.size(), [&](std::size_t i) {
     SymmetryCandidate& candidate = candidates[i];
-    candidate.source = SymmetryHypothesis::Source::Extremities;
     candidate.map = std::move(maps[i]);
     candidate.matrix = refinement.refine(candidate.map);
     candidate.score = scoreMap(landmarks, sampled.descriptor, candidate.map, settings.coarse_targets, settings.score);

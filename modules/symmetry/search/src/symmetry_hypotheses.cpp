@@ -152,7 +152,7 @@ signPatternHypotheses(int dimensions)
     for (int a = 0; a < dimensions; ++a) {
       signs(a) = (pattern >> static_cast<unsigned>(a) & 1U) != 0 ? -1.0F : 1.0F;
     }
-    hypotheses.push_back({SymmetryHypothesis::Source::SignPattern, signs.asDiagonal()});
+    hypotheses.push_back({signs.asDiagonal()});
   }
   return hypotheses;
 }
@@ -174,7 +174,7 @@ extremityHypotheses(const LandmarkSurface& landmarks, const LaplacianBasis& basi
     }
     const Eigen::MatrixXf matrix = pseudo_inverse * pulled_back;
     const Eigen::Index d = functions.cols() - 1;
-    hypotheses.push_back({SymmetryHypothesis::Source::Extremities, nearestInvolution(matrix.bottomRightCorner(d, d))});
+    hypotheses.push_back({nearestInvolution(matrix.bottomRightCorner(d, d))});
   }
   return hypotheses;
 }

@@ -50,7 +50,6 @@ tryHypotheses(const SampledSurface& sampled,
   std::vector<SymmetryCandidate> candidates(hypotheses.size());
   parallelFor(hypotheses.size(), [&](std::size_t i) {
     SymmetryCandidate& candidate = candidates[i];
-    candidate.source = hypotheses[i].source;
     candidate.matrix = hypotheses[i].action;
     candidate.map = search.nearest(descriptor.mirrored(hypotheses[i].action, queries));
     candidate.score = scoreMap(landmarks, descriptor, candidate.map, candidate.map.size(), settings.score);
@@ -94,7 +93,6 @@ public:
       to.col(static_cast<Eigen::Index>(k)) = landmarks_.distances.col(candidate.map[anchors[k]]);
     }
     SymmetryCandidate result;
-    result.source = candidate.source;
     result.map = nearestRows(from, to);
     finish(result);
     return result;
@@ -106,7 +104,6 @@ public:
   regrow(SymmetryCandidate& candidate) const
   {
     SymmetryCandidate regrown;
-    regrown.source = candidate.source;
     regrown.map = regrownMap(landmarks_, candidate.map);
     if (regrown.map.empty()) {
       return;
