@@ -212,7 +212,7 @@ extentAlong(const Scene& scene, const Vector3& direction)
 bool
 isFlat(const Scene& scene, const std::array<Vector3, 3>& principal)
 {
-  constexpr float thin = 0.01F;
+  constexpr float thin = 0.01F; // edge-on it would be a line some pixels wide
   return extentAlong(scene, principal[2]) < thin * extentAlong(scene, principal[0]);
 }
 

@@ -20,7 +20,7 @@ unsupportedParts(const PreparedSurface& surface, const std::vector<char>& is_uns
 
 /** \brief Takes the mark off connected groups of less than a share of the area. */
 void
-keepLargeParts(const PreparedSurface& surface, float least_share, std::vector<char>& is_unsupported);
+dropSmallParts(const PreparedSurface& surface, float least_share, std::vector<char>& is_unsupported);
 
 /** \brief Share of the area (where there are no triangles: of the points) that has a partner.
  * \param[in] partners one per point, no_index where there is none */

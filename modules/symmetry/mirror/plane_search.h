@@ -30,8 +30,9 @@ struct PlaneSearchSettings {
   float least_share = 0.95F;    ///< of the area that must come to lie on the surface: the rest is worn or fitted on
   float equal_residual = 0.1F;  ///< tolerances by which the mean distances of planes that fit equally well differ,
   float equal_share = 0.005F;   ///< and the same of the shares of the area
-  /** Tolerances by which what lies on the surface is off it on average, at most, in a plane of a part: what was made in two
-   * mirrored halves is off by 0.02 at most, what only stands nearly so by 0.2 and more. 0: none is found. */
+  /** Tolerances by which what lies on the surface is off it on average, at most, in a plane of a part. By hand, set once
+   * between what was seen of mirrored halves, 0.001 to 0.03, and of what only stands nearly so, 0.2 and more; rigid parts of
+   * a posed animal have 0.03 as well. 0: none is found. */
   float exact_residual = 0.1F;
   float least_displacement = 0.02F; ///< mean distance from the plane: a sheet lies in its own plane and maps to itself
 };
@@ -49,8 +50,8 @@ struct MirrorFit {
 /** \brief Planes in which the surface is its own mirror image but for a twentieth of its area, the best first; where there
  * is none, the plane in which most of it is so exactly, of the promising share at least, if there is one.
  *
- * What is the same in a plane to a fraction of the tolerance was made so, and what is beside it was fitted on: nothing but
- * a plane does that to three fifths of a surface. What is nearly the same in a plane may be a pose.
+ * What is the same in a plane to a fraction of the tolerance was made so, and what is beside it was fitted on, or is a posed
+ * limb. Flat faces lie on themselves in any plane across them, so that this says little of a sheet.
  *
  * Of several that fit equally well the first is the one that most of the surface is far from, which swaps the ends of
  * what is long: that follows from the shape, and not from the order of its points or the axes of a file.

@@ -82,7 +82,7 @@ contactTests(const PreparedSurface& surface, const SymmetryParameters& parameter
   }
   const bool is_precise = surface.summary.smoothing_radius == 0.0F && surface.size() >= dense_points;
   if (surface.summary.read_as_cloud && is_precise) {
-    return {parallel_sheets, usual}; // a mesh is not voted on: the other two lead to the same maps
+    return {parallel_sheets, usual}; // of a mesh the best one speaks: the other two cost more than they find
   }
   std::vector<ContactTest> tests;
   if (depths.empty() && is_precise) {

@@ -117,7 +117,7 @@ pointsWithoutCounterpart(const PreparedSurface& surface, const PlaneReflection& 
   parallelFor(
       surface.size(),
       [&](std::size_t v) { is_off[v] = distance_from.at(plane.image(surface.points[v])) <= tolerance ? 0 : 1; }, grain);
-  keepLargeParts(surface, SupportSettings{}.least_area, is_off);
+  dropSmallParts(surface, SupportSettings{}.least_area, is_off);
   return is_off;
 }
 

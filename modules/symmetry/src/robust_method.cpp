@@ -25,7 +25,7 @@ tooFewPoints()
 
 /** Whether a mirror plane is more to be trusted than the best map that the search has found.
  *
- * No chance makes most of an object in parts lie exactly on itself: a map that does otherwise is wrong. A body may be nearly
+ * Most of an object in parts hardly lies exactly on itself by chance: a map that does otherwise is wrong. A body may be nearly
  * mirrored front to back besides: there the more certain one counts. A map that does the same as the plane may explain the
  * rest as well, refused or not: limbs of a posed body, which it exchanges. An odd part is sent into itself, or anywhere. */
 bool

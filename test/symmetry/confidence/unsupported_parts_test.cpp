@@ -41,7 +41,7 @@ TEST(UnsupportedParts, AreToldApartTheLargestFirst)
   EXPECT_TRUE(unsupportedParts(surface, marked(1, 0)).empty());
 }
 
-TEST(KeepLargeParts, TakesTheMarkOffSmallOnes)
+TEST(DropSmallParts, TakesTheMarkOffSmallOnes)
 {
   const PreparedSurface surface = prepared(gridMesh(columns, rows));
   std::vector<char> marks = marked(0, 2); // an eighth of the area
@@ -50,11 +50,11 @@ TEST(KeepLargeParts, TakesTheMarkOffSmallOnes)
     marks[v] = marks[v] != 0 || large[v] != 0 ? 1 : 0;
   }
   const std::vector<char> both = marks;
-  keepLargeParts(surface, 0.12F, marks);
+  dropSmallParts(surface, 0.12F, marks);
   EXPECT_EQ(marks, both);
-  keepLargeParts(surface, 0.13F, marks);
+  dropSmallParts(surface, 0.13F, marks);
   EXPECT_EQ(marks, large);
-  keepLargeParts(surface, 0.5F, marks);
+  dropSmallParts(surface, 0.5F, marks);
   EXPECT_EQ(marks, marked(1, 0));
 }
 

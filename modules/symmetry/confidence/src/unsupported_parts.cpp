@@ -44,7 +44,7 @@ groupsOf(const PreparedSurface& surface, const std::vector<char>& marks)
 } // namespace
 
 void
-keepLargeParts(const PreparedSurface& surface, float least_share, std::vector<char>& is_unsupported)
+dropSmallParts(const PreparedSurface& surface, float least_share, std::vector<char>& is_unsupported)
 {
   UnionFind groups = groupsOf(surface, is_unsupported);
   const std::vector<float> areas = pointAreas(surface);
