@@ -345,8 +345,8 @@ findMirrorPlanes(const AreaSamples& samples, const PreparedSurface& surface, con
   const bool may_be_object = surface.is_cloud || !surface.part_of.empty();
   if (may_be_object && !fitting.hasWhole() && !fitting.isTooFull() && settings.exact_residual > 0.0F) {
     // What is fitted on pulls the centroid out of the plane of the rest, a fifth of the area by two fifths of a deviation
-    // where it is two of them away; and it is as far from where it goes as it likes. Halves of that are within reach of the
-    // alignment (by hand).
+    // where it is two of them away; and its image is as far off as it likes. The alignment reaches over half of such a shift
+    // (by hand).
     const float farthest = fitting.hopeless() / (1.0F - settings.promising_share);
     fitting.tryPlanes(ratePlanes(samples, settings, first_look, {-0.4F, -0.2F, 0.0F, 0.2F, 0.4F}, farthest));
   }
