@@ -64,7 +64,8 @@ TEST(MirrorPlanesOfACloud, StrayPointsDoNotOutweighTheRest)
   EXPECT_EQ(planesOfCloud(corners).size(), 1U);
 }
 
-/** A trunk with two bars, one of which is raised and one lowered: posed limbs. */
+/** A trunk with two bars, one of which is raised and one lowered: posed limbs; and with two between them that stand out of the
+ * plane. */
 class PosedBars : public testing::Test {
 protected:
   static constexpr float raised = 0.25F;
@@ -81,6 +82,8 @@ protected:
     addBox(mesh, {-0.3F, -0.2F, -0.5F}, {0.3F, 0.2F, 0.5F});
     addBox(mesh, {-0.9F, -0.1F, raised - 0.1F}, {-0.29F, 0.1F, raised + 0.1F});
     addBox(mesh, {0.29F, -0.1F, -raised - 0.1F}, {0.9F, 0.1F, -raised + 0.1F});
+    addBox(mesh, {-0.1F, 0.19F, -raised - 0.1F}, {0.1F, 0.8F, -raised + 0.1F});
+    addBox(mesh, {-0.1F, -0.8F, raised - 0.1F}, {0.1F, -0.19F, raised + 0.1F});
     return splitTwice(splitTwice(mesh));
   }
 
@@ -137,6 +140,24 @@ TEST_F(PosedBars, AreNotExchangedWhereEachStaysAtItsPlace)
                        }),
                        fit_, {});
   EXPECT_FALSE(compared.contradicts);
+  EXPECT_FALSE(compared.exchanges);
+}
+
+/** Each bar changes places with one that stands out of the plane, which is its own image: they are no pair of limbs. */
+TEST_F(PosedBars, AreNotExchangedWithWhatThePlaneCarriesOntoTheSurface)
+{
+  const float trunk = 0.2F * surface_.scale;
+  const float shift = 0.1F * surface_.scale;
+  const PlaneComparison compared = compareWithPlane(sampled_, sending([=](const Vector3& p) -> Vector3 {
+                                                      if (isOfBar(p)) {
+                                                        return {p[1], p[0] - std::copysign(shift, p[0]), p[2]};
+                                                      }
+                                                      if (std::abs(p[1]) > 1.05F * trunk) {
+                                                        return {p[1] + std::copysign(shift, p[1]), p[0], p[2]};
+                                                      }
+                                                      return {-p[0], p[1], p[2]};
+                                                    }),
+                                                    fit_, {});
   EXPECT_FALSE(compared.exchanges);
 }
 
