@@ -70,6 +70,9 @@ disturbanceOptions(BenchmarkOptions& options)
                Default::Hidden);
   group.number("quantise", disturbance.quantise, "F", "round coordinates to multiples of this share of the diagonal",
                Default::Hidden);
+  group.number("bend", disturbance.bend, "A",
+               "give models another pose: bend and twist space by this angle, in radians over the diagonal",
+               Default::Hidden);
   group.number("repeat", disturbance.repeat, "F", "add this share of points that are there already", Default::Hidden);
   group.number("outliers", disturbance.outliers, "F", "add this share of points at random places", Default::Hidden);
   group.number("seed", options.seed, "S", "of the disturbance, any integer");

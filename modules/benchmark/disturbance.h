@@ -21,13 +21,15 @@ struct Disturbance {
   double hole_share = 0.2; ///< of the points, in all holes together, [0, 0.9]
   double thin = 1.0;       ///< density at one end over that at the other, points drop out in between, [1, 1000]
   double quantise = 0.0;   ///< coordinates are rounded to multiples of this share of the diagonal, [0, 1]
+  double bend = 0.0;       ///< radians over the diagonal by which space is bent and twisted, [0, 3]
   double repeat = 0.0;     ///< points that are there twice, share of those left, [0, 1]
 
   /** \brief Whether any surface is left as it is. */
   bool
   changesNothing() const
   {
-    return !(noise > 0.0 || drop > 0.0 || outliers > 0.0 || holes > 0 || thin > 1.0 || quantise > 0.0 || repeat > 0.0);
+    return !(noise > 0.0 || drop > 0.0 || outliers > 0.0 || holes > 0 || thin > 1.0 || quantise > 0.0 || repeat > 0.0 ||
+             bend > 0.0);
   }
 };
 
@@ -42,7 +44,7 @@ struct DisturbedSurface {
   std::vector<Index> origins; ///< per point of \a surface: its number before, no_index for an outlier
 };
 
-/** \brief Drops points at random, in holes and towards one end, then adds noise, rounds, repeats points and adds
+/** \brief Drops points at random, in holes and towards one end, then bends, adds noise, rounds, repeats points and adds
  * outliers; the same seed gives the same bytes.
  * \throws pcl::BadArgumentException as checkDisturbance() */
 DisturbedSurface

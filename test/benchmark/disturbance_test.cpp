@@ -87,6 +87,18 @@ TEST(DisturbanceTest, RoundingGoesToMultiplesOfTheStep)
       EXPECT_NEAR(rounded.surface.points[i][k], step * std::round(double(grid.points[i][k]) / step), 1e-4);
 }
 
+TEST(DisturbanceTest, BendingMovesPointsAndKeepsThemAll)
+{
+  const Surface grid = test::gridMesh(30, 40);
+  Disturbance disturbance;
+  disturbance.bend = 0.5;
+  EXPECT_FALSE(disturbance.changesNothing());
+  const DisturbedSurface bent = disturb(grid, disturbance);
+  ASSERT_EQ(bent.surface.size(), grid.size());
+  EXPECT_NE(bent.surface.points, grid.points);
+  EXPECT_EQ(bent.surface.triangles, grid.triangles);
+}
+
 TEST(DisturbanceTest, NoiseHasTheDeviationAskedFor)
 {
   const Surface grid = test::gridMesh(100, 100);

@@ -301,6 +301,8 @@ TEST_F(BenchmarkProgramTest, WrongUsageEndsWithTwo)
                               {folder, "--hole-share", "1"},
                               {folder, "--thin", "0"},
                               {folder, "--quantise", "2"},
+                              {folder, "--bend", "-1"},
+                              {folder, "--bend", "4"},
                               {folder, "--repeat", "-1"},
                               {folder, "--graph", "--as-cloud"},
                               {folder, "--ablation", "--csv", "file.csv"},

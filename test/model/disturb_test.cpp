@@ -1,3 +1,4 @@
+#include "base/vector_math.h"
 #include "mesh_checks.h"
 #include "model/disturb.h"
 
@@ -185,6 +186,38 @@ TEST(Quantise, RoundsToMultiplesOfTheStep)
   expectSame(whole, human());
 }
 
+/** A thin rod, as a limb is: bent, its ends come nearer to each other, but it stays as long. */
+TEST(Bend, KeepsTheLengthOfWhatIsThin)
+{
+  constexpr std::size_t count = 1001;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Model rod;
+    for (std::size_t i = 0; i < count; ++i)
+      rod.surface.points.push_back({7.0F, 0.01F * static_cast<float>(i), -2.0F}); // ten long
+    rod.partners.assign(count, no_index);
+    bend(rod, 1.5, seed);
+    const std::vector<Vector3>& points = rod.surface.points;
+    double length = 0.0;
+    for (std::size_t i = 1; i < count; ++i)
+      length += double{distance(points[i - 1], points[i])};
+    EXPECT_NEAR(length, 10.0, 1.0) << seed;
+    EXPECT_LT(distance(points.front(), points.back()), 0.999 * length) << seed;
+    EXPECT_LT(distance(points[count / 2], {7.0F, 5.0F, -2.0F}), 1e-4F) << "the centre stays";
+  }
+}
+
+TEST(Bend, LeavesNoNormalsAndCanDoNothing)
+{
+  Model model = human();
+  bend(model, 0.0, 1);
+  expectSame(model, human());
+  model.surface.normals.assign(model.surface.size(), {0, 0, 1});
+  bend(model, 0.3, 1);
+  EXPECT_TRUE(model.surface.normals.empty());
+  EXPECT_EQ(model.surface.triangles, human().surface.triangles);
+  EXPECT_NE(model.surface.points, human().surface.points);
+}
+
 TEST(RepeatPoints, AppendsCopiesAndTellsOfWhich)
 {
   Model model = human();
@@ -218,6 +251,7 @@ TEST(Disturb, SameSeedGivesTheSameBytes)
     Model model = human();
     cutHoles(model, 3, 0.1, seed);
     addNoise(model, 0.005, seed);
+    bend(model, 0.5, seed);
     addOutliers(model, 0.02, seed);
     shuffleVertices(model, seed);
     return model;
@@ -236,6 +270,8 @@ TEST(Disturb, RejectsWhatIsOutOfRange)
   EXPECT_THROW(dropPoints(model, 1.0, 1), std::invalid_argument);
   EXPECT_THROW(addOutliers(model, 1.5, 1), std::invalid_argument);
   EXPECT_THROW(quantise(model, 1.5), std::invalid_argument);
+  EXPECT_THROW(bend(model, 4.0, 1), std::invalid_argument);
+  EXPECT_THROW(bend(model, std::nan(""), 1), std::invalid_argument);
   EXPECT_THROW(repeatPoints(model, -0.5, 1), std::invalid_argument);
   EXPECT_THROW(keepVertices(model, {1, 0}), std::invalid_argument);
   expectSame(model, human());

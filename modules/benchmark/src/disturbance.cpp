@@ -67,6 +67,7 @@ checkDisturbance(const Disturbance& disturbance)
   checkRange("thin", disturbance.thin, 1.0, 1000.0);
   checkRange("quantise", disturbance.quantise, 0.0, 1.0);
   checkRange("repeat", disturbance.repeat, 0.0, 1.0);
+  checkRange("bend", disturbance.bend, 0.0, 3.0);
 }
 
 DisturbedSurface
@@ -81,6 +82,7 @@ disturb(const Surface& surface, const Disturbance& disturbance)
 
   Model model{surface, std::vector<Index>(surface.size(), no_index)};
   keepVertices(model, keep);
+  bend(model, disturbance.bend, disturbance.seed + 6);
   addNoise(model, disturbance.noise, disturbance.seed + 1);
   quantise(model, disturbance.quantise);
   for (const Index point : repeatPoints(model, disturbance.repeat, disturbance.seed + 5))

@@ -133,6 +133,7 @@ describeOptions(const RunOptions& options)
   object["hole_share"] = options.disturbance.hole_share;
   object["thin"] = options.disturbance.thin;
   object["quantise"] = options.disturbance.quantise;
+  object["bend"] = options.disturbance.bend;
   object["repeat"] = options.disturbance.repeat;
   object["seed"] = options.disturbance.seed;
   if (options.cut_limb)

@@ -3,6 +3,9 @@
 #include "base/bounding_box.h"
 #include "model/random_numbers.h"
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,6 +36,42 @@ randomDirection(RandomNumbers& random)
   const double angle = random.uniform(0.0, 6.283185307179586);
   const double radius = std::sqrt(1.0 - z * z);
   return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+/** Three directions at right angles to each other, the first of which is random. */
+Eigen::Matrix3d
+randomAxes(RandomNumbers& random)
+{
+  const std::array<double, 3> direction = randomDirection(random);
+  const Eigen::Vector3d first(direction[0], direction[1], direction[2]);
+  const Eigen::Vector3d second =
+      Eigen::AngleAxisd(random.uniform(0.0, 6.283185307179586), first) * first.unitOrthogonal();
+  Eigen::Matrix3d axes;
+  axes << first, second, first.cross(second);
+  return axes;
+}
+
+/** Between 0.6 and 1 of an angle, to either side. */
+double
+randomPart(double angle, RandomNumbers& random)
+{
+  const double part = angle * random.uniform(0.6, 1.0);
+  return random.uniform() < 0.5 ? -part : part;
+}
+
+/** What lies along the first axis comes to lie on an arc in the plane of the first two. */
+Eigen::Vector3d
+bent(const Eigen::Vector3d& p, double angle)
+{
+  const double radius = 1.0 / angle;
+  return {(radius - p.y()) * std::sin(p.x() * angle), radius - (radius - p.y()) * std::cos(p.x() * angle), p.z()};
+}
+
+/** Turned about the first axis, the farther along it the more. */
+Eigen::Vector3d
+twisted(const Eigen::Vector3d& p, double angle)
+{
+  return Eigen::AngleAxisd(p.x() * angle, Eigen::Vector3d::UnitX()) * p;
 }
 
 std::vector<std::vector<Index>>
@@ -138,6 +177,31 @@ addNoise(Model& model, double fraction, std::uint64_t seed)
     for (std::size_t k = 0; k < 3; ++k)
       point[k] = static_cast<float>(static_cast<double>(point[k]) + length * direction[k]);
   }
+}
+
+void
+bend(Model& model, double angle, std::uint64_t seed)
+{
+  checkRange("angle of the bends", angle, 0.0, 3.0);
+  const BoundingBox box = boundingBox(model.surface.points);
+  const double diagonal = box.diagonal();
+  if (angle == 0.0 || diagonal == 0.0)
+    return;
+  const auto toEigen = [](const Vector3& v) {
+    return Eigen::Vector3d(v[0], v[1], v[2]);
+  };
+  const Eigen::Vector3d centre = 0.5 * (toEigen(box.low) + toEigen(box.high));
+  RandomNumbers random(seed);
+  for (const auto motion : {bent, bent, twisted}) {
+    const Eigen::Matrix3d axes = randomAxes(random);
+    const double part = randomPart(angle, random);
+    for (Vector3& point : model.surface.points) {
+      const Eigen::Vector3d p = axes.transpose() * (toEigen(point) - centre) / diagonal;
+      const Eigen::Vector3d moved = centre + diagonal * (axes * motion(p, part));
+      point = {static_cast<float>(moved.x()), static_cast<float>(moved.y()), static_cast<float>(moved.z())};
+    }
+  }
+  model.surface.normals.clear();
 }
 
 void
