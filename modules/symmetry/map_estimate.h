@@ -15,7 +15,7 @@
 namespace pcl {
 namespace symmetry {
 
-/** \brief MapEstimate::misfit of a mirror image in space: below that of any map of samples, which cannot be less than -13
+/** \brief MapEstimate::misfit of a mirror image in space: below that of any map of samples, which cannot be less than -18
  * (the logarithms in the score and in the fit of the patches have floors); only the order of the two matters. */
 constexpr float exact_misfit = -20.0F;
 

@@ -27,6 +27,7 @@ struct RefinementSettings {
   ScoreWeights score;
   std::size_t score_queries = 300; ///< landmarks that take part in the measure of isometry
   float fit = 1.0F;                ///< weight of the fit of the patches in the value of an estimate
+  float displacement = 0.5F;       ///< weight of the displacement in it, beside that in the score
 };
 
 /** \brief A map of all samples. */

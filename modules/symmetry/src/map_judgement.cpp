@@ -147,6 +147,7 @@ MapJudge::verdict(std::vector<Contender>& contenders) const
   judgeSupport(contenders.front(), evidence, confidence, estimate);
   estimate.map_confidence = confidence;
   estimate.misfit = contenders.front().samples.value;
+  estimate.measures.emplace_back("misfit", estimate.misfit);
   const Contender& best = contenders.front();
   if (confidence < RefusalCalibration{}.one_interpretation) {
     estimate.confidence = confidence_of_refused * confidence;
