@@ -4,17 +4,17 @@
 usage: random_objects.py BIN [--objects N] [--seed S] [--as-cloud] [--keep FOLDER] [-- OPTIONS]
 
 BIN       folder with pcl_intrinsic_symmetry
-N         pairs of objects (60): furniture, vehicles and other things of boxes, cylinders and ellipsoids that overlap, in any
-          position, vertices and faces in any order
+N         pairs of objects (60): furniture, vehicles and other things of boxes, cylinders and ellipsoids that overlap,
+          in any position, vertices and faces in any order
 S         of the first object (1): an object is the same for the same number
 --as-cloud  8,000 points at random places of the surfaces, without faces
 --keep    leaves the files of the objects there
 OPTIONS   of pcl_intrinsic_symmetry
 
-A mirrored object is right where it is symmetric, whole or in part, and three quarters of its vertices that have a mirror
-image have a partner within 2 % of the diagonal of the bounding box of it. One with an odd part is right where the same
-holds of the rest and the status is partly_symmetric. The odd part is at most a third of the diagonal long and a tenth of it off the
-plane of the rest.
+A mirrored object is right where it is symmetric, whole or in part, and three quarters of its vertices have a partner within
+2 % of the bounding box's diagonal of their mirror image. One with an odd part is right where the same holds of the rest and
+the status is partly_symmetric. The odd part is at most a third of the diagonal long, its middle at least a tenth of it off
+the plane of the rest.
 """
 import csv
 import json
@@ -85,7 +85,8 @@ def twins(part):
 
 def furniture(rng):
     """A seat on legs with a back, which leaves it one mirror plane, and arms or not."""
-    width, depth, height, thick = rng.uniform(0.4, 1.2), rng.uniform(0.35, 0.8), rng.uniform(0.4, 1.0), rng.uniform(0.03, 0.1)
+    width, depth = rng.uniform(0.4, 1.2), rng.uniform(0.35, 0.8)
+    height, thick = rng.uniform(0.4, 1.0), rng.uniform(0.03, 0.1)
     parts = [box((width / 2, depth / 2, thick / 2), (0, 0, height))]
     leg, inset = rng.uniform(0.02, 0.06), rng.uniform(0.03, 0.1)
     for y in (-1, 1):
@@ -106,7 +107,8 @@ def vehicle(rng):
     length, width, height = rng.uniform(1.2, 3.0), rng.uniform(0.6, 1.2), rng.uniform(0.25, 0.6)
     parts = [any_shape(rng, (width / 2, length / 2, height / 2), (0, 0, 0))]
     cabin = rng.uniform(0.15, 0.4)
-    parts.append(any_shape(rng, (width * 0.4, length * cabin, height / 2), (0, rng.uniform(-0.15, 0.15) * length, height * 0.8)))
+    middle = (0, rng.uniform(-0.15, 0.15) * length, height * 0.8)
+    parts.append(any_shape(rng, (width * 0.4, length * cabin, height / 2), middle))
     wheel = rng.uniform(0.12, 0.3)
     for y in rng.sample((-0.35, -0.1, 0.15, 0.38), rng.randint(2, 3)):
         parts += twins(cylinder((0.06, wheel, wheel), (width / 2, y * length, -height / 2), 0))
@@ -126,8 +128,8 @@ def thing(rng):
         parts.append(any_shape(rng, half, centre))
         if rng.random() < 0.7:
             side = tuple(rng.uniform(0.05, 0.3) for _ in range(3))
-            reach = half[0] + 0.6 * side[0]
-            parts += twins(any_shape(rng, side, (reach, rng.uniform(-0.5, 0.5) * half[1], at + rng.uniform(-0.4, 0.4) * half[2])))
+            beside = (half[0] + 0.6 * side[0], rng.uniform(-0.5, 0.5) * half[1], at + rng.uniform(-0.4, 0.4) * half[2])
+            parts += twins(any_shape(rng, side, beside))
         at += half[2] * rng.uniform(1.2, 1.8)
     return parts
 
@@ -219,8 +221,8 @@ class Object:
 def outcome(program, made, stem, options):
     """Status, confidence and share of right partners."""
     made.write(stem + ".off")
-    subprocess.run([program, stem + ".off", "--quiet", "--map", stem + ".csv", "--report", stem + ".json", *options], check=False,
-                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    command = [program, stem + ".off", "--quiet", "--map", stem + ".csv", "--report", stem + ".json", *options]
+    subprocess.run(command, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     if not os.path.exists(stem + ".json"):
         return "failed", 0.0, 0.0
     with open(stem + ".json") as file:
@@ -245,7 +247,8 @@ def main():
     words = sys.argv[1:]
     options = words[words.index("--") + 1:] if "--" in words else []
     words = words[:words.index("--")] if "--" in words else words
-    objects, first, keep = int(value_of(words, "--objects", 60)), int(value_of(words, "--seed", 1)), value_of(words, "--keep", None)
+    objects, first = int(value_of(words, "--objects", 60)), int(value_of(words, "--seed", 1))
+    keep = value_of(words, "--keep", None)
     as_cloud = "--as-cloud" in words
     if as_cloud:
         words.remove("--as-cloud")

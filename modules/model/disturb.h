@@ -24,9 +24,9 @@ namespace symmetry {
 void
 addNoise(Model& model, double fraction, std::uint64_t seed);
 
-/** \brief Gives a surface another pose: bends space twice and twists it once, about random axes through the centre of the
- * bounding box. Lengths across a bend change by its angle times their distance from its axis over the diagonal. Normals that came with
- * the surface hold no longer and are left out.
+/** \brief Gives a surface another pose: bends space twice and twists it once, about random axes through the centre of
+ * the bounding box. Lengths change by the share of the angle that their distance from the axis is of the diagonal.
+ * Normals that came with the surface hold no longer and are left out.
  *  \param[in,out] model changed in place
  *  \param[in] angle of each, in radians over the length of the diagonal, of which 0.6 to 1 at random, [0, 3]
  *  \param[in] seed of the random numbers

@@ -64,7 +64,7 @@ TEST(MirrorPlanesOfACloud, StrayPointsDoNotOutweighTheRest)
   EXPECT_EQ(planesOfCloud(corners).size(), 1U);
 }
 
-/** A trunk with two bars, one of which is raised and one lowered: posed limbs; and with two between them that stand out of the
+/** A trunk with two bars, one of which is raised and one lowered: posed limbs; and with two between them that lie in the
  * plane. */
 class PosedBars : public testing::Test {
 protected:
@@ -143,7 +143,7 @@ TEST_F(PosedBars, AreNotExchangedWhereEachStaysAtItsPlace)
   EXPECT_FALSE(compared.exchanges);
 }
 
-/** Each bar changes places with one that stands out of the plane, which is its own image: they are no pair of limbs. */
+/** Each bar changes places with one that lies in the plane and is its own image: they are no pair of limbs. */
 TEST_F(PosedBars, AreNotExchangedWithWhatThePlaneCarriesOntoTheSurface)
 {
   const float trunk = 0.2F * surface_.scale;

@@ -2,6 +2,7 @@
 
 #include "base/statistics.h"
 #include "symmetry/refine/extremity_rotations.h"
+#include "symmetry/refine/map_misfit.h"
 #include "symmetry/refine/point_map.h"
 
 #include <algorithm>
@@ -21,31 +22,6 @@ mapOfLandmarks(const LandmarkSurface& landmarks, const SampleMap& map)
     among_landmarks.push_back(landmarks.nearest_landmark[map[i]]);
   }
   return among_landmarks;
-}
-
-/** Logarithm of the misfit of the patches. Normals tell more than distances: on a smooth body a wrong patch lies close
- * as well, but does not face the right way. The mean of them is that of the worst places, a contact or a hand; the median
- * says how well the map fits where nothing disturbs it. */
-float
-logMisfit(const std::vector<PatchFit>& fits, const PatchFit& mean)
-{
-  constexpr float least_distance = 2e-3F;     // sampling noise
-  constexpr float least_turn = 0.01F;         // the same: 8 degrees
-  constexpr float least_median_turn = 0.005F; // the same, of the median: 6 degrees
-  std::vector<float> turns(fits.size());
-  std::transform(fits.begin(), fits.end(), turns.begin(), [](const PatchFit& fit) { return fit.turn; });
-  return 0.5F * std::log(mean.distance + least_distance) + std::log(mean.turn + least_turn) +
-         std::log(median(std::move(turns)) + least_median_turn);
-}
-
-/** By how much the misfit of a map of so little displacement is small anyway: where an image is near, so is everything around
- * it, and faces the same way, whether the map is right or not. */
-float
-logOfLittleDisplacement(float displacement)
-{
-  constexpr float most = 0.5F; // share of the diameter: few reflections move more
-  constexpr float least = 2e-3F;
-  return std::log(std::min(displacement, most) + least);
 }
 
 } // namespace
@@ -113,7 +89,7 @@ SampleRefinement::refine(const SymmetryCandidate& candidate) const
     estimate.fit = meanOf(estimate.fits);
     estimate.worst_distance = worstDistance(estimate.fits);
     estimate.value += settings_.fit * logMisfit(estimate.fits, estimate.fit) -
-                      settings_.displacement * logOfLittleDisplacement(estimate.score.displacement);
+                      settings_.displacement * logDisplacement(estimate.score.displacement);
   }
   return estimate;
 }

@@ -1,0 +1,33 @@
+/** \file
+ * \brief How badly the patches of a map fit, in one number by which maps of one surface are compared.
+ */
+#pragma once
+
+#include "symmetry/refine/patch_alignment.h"
+
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Logarithm of the misfit of the patches: of the root of their distance, and of their turn twice, by its mean and
+ * by its median.
+ *
+ * Normals tell more than distances: on a smooth body a wrong patch lies close as well, but does not face the right way.
+ * The mean is that of the worst places, a contact or a hand, which a right map has as well; the median says how well
+ * the map fits where nothing disturbs it.
+ * \param[in] fits at least one
+ * \param[in] mean of them, see meanOf () */
+float
+logMisfit(const std::vector<PatchFit>& fits, const PatchFit& mean);
+
+/** \brief Logarithm of the displacement of a map, as far as it makes any misfit small.
+ *
+ * Where an image is near, what is around it is near as well, and faces the same way, whether the map is right or not: a
+ * limb that is mirrored in itself fits without effort.
+ * \param[in] displacement MapScore::displacement */
+float
+logDisplacement(float displacement);
+
+} // namespace symmetry
+} // namespace pcl

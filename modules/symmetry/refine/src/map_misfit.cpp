@@ -1,0 +1,33 @@
+#include "symmetry/refine/map_misfit.h"
+
+#include "base/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+namespace symmetry {
+
+float
+logMisfit(const std::vector<PatchFit>& fits, const PatchFit& mean)
+{
+  constexpr float least_distance = 2e-3F;     // sampling noise
+  constexpr float least_turn = 0.01F;         // the same: 8 degrees
+  constexpr float least_median_turn = 0.005F; // the same, of the median: 6 degrees
+  std::vector<float> turns(fits.size());
+  std::transform(fits.begin(), fits.end(), turns.begin(), [](const PatchFit& fit) { return fit.turn; });
+  return 0.5F * std::log(mean.distance + least_distance) + std::log(mean.turn + least_turn) +
+         std::log(median(std::move(turns)) + least_median_turn);
+}
+
+float
+logDisplacement(float displacement)
+{
+  constexpr float most = 0.5F;   // share of the diameter: few reflections move more
+  constexpr float least = 2e-3F; // keeps the logarithm finite
+  return std::log(std::min(displacement, most) + least);
+}
+
+} // namespace symmetry
+} // namespace pcl
