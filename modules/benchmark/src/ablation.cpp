@@ -90,6 +90,8 @@ ablations()
   with("large patches only", [](RobustSettings& s) { s.refinement.patches.resize(1); });
   with("small patches only", [](RobustSettings& s) { s.refinement.patches = {s.refinement.patches.back()}; });
   with("fit of patches not compared", [](RobustSettings& s) { s.refinement.fit = 0.0F; });
+  with("median turn not compared", [](RobustSettings& s) { s.refinement.median_turn = 0.0F; });
+  with("displacement not compared", [](RobustSettings& s) { s.refinement.displacement = 0.0F; });
   with("extremities not turned", [](RobustSettings& s) { s.refinement.extremity_radii.clear(); });
   with("reflections do not spread", [](RobustSettings& s) { s.refinement.growth.patches = 0; });
   with("not drawn to an involution", [](RobustSettings& s) { s.refinement.mutual_rounds = 0; });

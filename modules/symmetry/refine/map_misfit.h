@@ -17,9 +17,10 @@ namespace symmetry {
  * The mean is that of the worst places, a contact or a hand, which a right map has as well; the median says how well
  * the map fits where nothing disturbs it.
  * \param[in] fits at least one
- * \param[in] mean of them, see meanOf () */
+ * \param[in] mean of them, see meanOf ()
+ * \param[in] weight_of_median of the turn, beside that of the mean */
 float
-logMisfit(const std::vector<PatchFit>& fits, const PatchFit& mean);
+logMisfit(const std::vector<PatchFit>& fits, const PatchFit& mean, float weight_of_median);
 
 /** \brief Logarithm of the displacement of a map, as far as it makes any misfit small.
  *

@@ -13,7 +13,7 @@ constexpr std::size_t patches = 100;
 float
 misfitOf(const std::vector<PatchFit>& fits)
 {
-  return logMisfit(fits, meanOf(fits));
+  return logMisfit(fits, meanOf(fits), 1.0F);
 }
 
 /** Fits of patches of which some are turned. */

@@ -88,7 +88,7 @@ SampleRefinement::refine(const SymmetryCandidate& candidate) const
     estimate.fits = alignments_.back().fits(partners);
     estimate.fit = meanOf(estimate.fits);
     estimate.worst_distance = worstDistance(estimate.fits);
-    estimate.value += settings_.fit * logMisfit(estimate.fits, estimate.fit) -
+    estimate.value += settings_.fit * logMisfit(estimate.fits, estimate.fit, settings_.median_turn) -
                       settings_.displacement * logDisplacement(estimate.score.displacement);
   }
   return estimate;
