@@ -187,16 +187,16 @@ bend(Model& model, double angle, std::uint64_t seed)
   const double diagonal = box.diagonal();
   if (angle == 0.0 || diagonal == 0.0)
     return;
-  const auto toEigen = [](const Vector3& v) {
+  const auto vector = [](const Vector3& v) {
     return Eigen::Vector3d(v[0], v[1], v[2]);
   };
-  const Eigen::Vector3d centre = 0.5 * (toEigen(box.low) + toEigen(box.high));
+  const Eigen::Vector3d centre = 0.5 * (vector(box.low) + vector(box.high));
   RandomNumbers random(seed);
   for (const auto motion : {bent, bent, twisted}) {
     const Eigen::Matrix3d axes = randomAxes(random);
     const double part = randomPart(angle, random);
     for (Vector3& point : model.surface.points) {
-      const Eigen::Vector3d p = axes.transpose() * (toEigen(point) - centre) / diagonal;
+      const Eigen::Vector3d p = axes.transpose() * (vector(point) - centre) / diagonal;
       const Eigen::Vector3d moved = centre + diagonal * (axes * motion(p, part));
       point = {static_cast<float>(moved.x()), static_cast<float>(moved.y()), static_cast<float>(moved.z())};
     }
@@ -320,7 +320,7 @@ addOutliers(Model& model, double share, std::uint64_t seed)
   for (std::size_t i = 0; i < count; ++i) {
     Vector3 point;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double low = static_cast<double>(box.low[k]);
+      const auto low = static_cast<double>(box.low[k]);
       const double margin = 0.1 * (static_cast<double>(box.high[k]) - low);
       point[k] = static_cast<float>(random.uniform(low - margin, static_cast<double>(box.high[k]) + margin));
     }
@@ -340,10 +340,13 @@ repeatPoints(Model& model, double share, std::uint64_t seed)
   std::vector<Index> originals(static_cast<std::size_t>(share * static_cast<double>(points)));
   for (Index& original : originals) {
     original = static_cast<Index>(random.index(points));
-    model.surface.points.push_back(Vector3(model.surface.points[static_cast<std::size_t>(original)]));
+    const Vector3 place = model.surface.points[static_cast<std::size_t>(original)];
+    model.surface.points.push_back(place);
     model.partners.push_back(no_index);
-    if (!model.surface.normals.empty())
-      model.surface.normals.push_back(Vector3(model.surface.normals[static_cast<std::size_t>(original)]));
+    if (!model.surface.normals.empty()) {
+      const Vector3 normal = model.surface.normals[static_cast<std::size_t>(original)];
+      model.surface.normals.push_back(normal);
+    }
   }
   return originals;
 }
