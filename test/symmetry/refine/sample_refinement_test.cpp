@@ -1,5 +1,6 @@
 #include "support/coarse_body.h"
 #include "support/with_threads.h"
+#include "symmetry/refine/map_misfit.h"
 #include "symmetry/refine/sample_refinement.h"
 
 #include <Eigen/Cholesky>
@@ -60,6 +61,21 @@ TEST(SampleRefinement, LeadsFromARoughMapToTheTruePartners)
   SampleMap nobody_moves(body.landmarks.size());
   std::iota(nobody_moves.begin(), nobody_moves.end(), 0);
   EXPECT_LT(found.value, refine(nobody_moves).value);
+}
+
+TEST(SampleRefinement, ItsValueHasTheFitOfThePatchesAndTheDisplacementInIt)
+{
+  const CoarseBody body = coarseBody(Body::Human, 1.0);
+  const SampledSurface sampled = body.sampled();
+  RefinementSettings settings = settingsFor(body);
+  const SampleEstimate found = SampleRefinement(sampled, settings).refine(candidateOf(body, body.trueMap()));
+  const float fit = logMisfit(found.fits, found.fit, settings.median_turn);
+  const float displacement = logDisplacement(found.score.displacement);
+  ASSERT_LT(displacement, -0.5F);
+  EXPECT_NEAR(found.value, found.score.value + settings.fit * fit - settings.displacement * displacement, 1e-4F);
+  settings.displacement = 0.0F;
+  const SampleEstimate without = SampleRefinement(sampled, settings).refine(candidateOf(body, body.trueMap()));
+  EXPECT_GT(found.value, without.value + 0.2F) << "what moves less than half of the diameter";
 }
 
 } // namespace
