@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace pcl::symmetry;
@@ -99,6 +100,36 @@ TEST(OddParts, OfACloudAreNamedAndTheRestIsMirrored)
   EXPECT_GT(mapped, chair.size() * 6 / 10);
   EXPECT_LT(wrong, mapped / 100);
   EXPECT_EQ(of_table, 0U);
+}
+
+/** A body, a cabin and six wheels of boxes. */
+Surface
+truckOfBoxes()
+{
+  Surface truck;
+  addBox(truck, {-0.4F, -1.0F, 0.0F}, {0.4F, 1.0F, 0.4F});
+  addBox(truck, {-0.33F, -0.6F, 0.3F}, {0.33F, 0.3F, 0.75F});
+  for (const float y : {-0.7F, 0.1F, 0.75F}) {
+    addBox(truck, {-0.46F, y - 0.2F, -0.2F}, {-0.34F, y + 0.2F, 0.2F});
+    addBox(truck, {0.34F, y - 0.2F, -0.2F}, {0.46F, y + 0.2F, 0.2F});
+  }
+  return truck;
+}
+
+/** The search finds a map of most of some of them as well, and is sure of that. */
+TEST(OddParts, OnTheRoofOfATruckAreNamedHoweverCertainAMapIs)
+{
+  const std::size_t of_truck = truckOfBoxes().size();
+  for (const auto& [x, y] : {std::pair(0.05F, -0.5F), {0.05F, -0.2F}, {0.2F, 0.0F}, {0.3F, -0.2F}}) {
+    Surface truck = truckOfBoxes();
+    addBox(truck, {x, y, 0.7F}, {x + 0.3F, y + 0.3F, 1.15F});
+    const SymmetryResult result = estimateIntrinsicSymmetry(truck);
+    ASSERT_EQ(result.status, SymmetryStatus::PartlySymmetric) << result.message;
+    EXPECT_GT(result.confidence, 0.9F) << x << ' ' << y;
+    EXPECT_EQ(wrongPartners(truck, result, of_truck, 1e-3F), 0U);
+    ASSERT_FALSE(result.unsupported.empty());
+    EXPECT_GE(result.unsupported[0].extreme, static_cast<Index>(of_truck));
+  }
 }
 
 TEST(OddParts, AKnobIsNone)

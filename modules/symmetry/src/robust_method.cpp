@@ -25,9 +25,10 @@ tooFewPoints()
 
 /** Whether a mirror plane is more to be trusted than the best map that the search has found.
  *
- * Most of an object in parts hardly lies exactly on itself by chance: a map that does otherwise is wrong. A body may be nearly
- * mirrored front to back besides: there the more certain one counts. A map that does the same as the plane may explain the
- * rest as well, refused or not: limbs of a posed body, which it exchanges. An odd part is sent into itself, or anywhere. */
+ * A map that does the same as the plane may explain the rest as well, refused or not: limbs of a posed body, which it
+ * exchanges. An odd part is sent into itself, or anywhere. Most of an object in parts hardly lies exactly on itself by chance:
+ * however certain a map seems that does otherwise there, or does not explain the rest, the plane says what is odd. A body
+ * may be nearly mirrored front to back besides: there the more certain one counts. */
 bool
 explainsMore(const MirrorFit& plane,
              const SampledSurface& sampled,
@@ -42,8 +43,9 @@ explainsMore(const MirrorFit& plane,
     return true;
   }
   const PlaneComparison map = compareWithPlane(sampled, contenders.front().samples, plane, settings);
-  const bool is_certain = estimate.trust >= plane.share;
-  return map.contradicts ? !is_certain || !sampled.surface.part_of.empty() : !is_certain && !map.exchanges;
+  const bool explains_rest = !map.contradicts && map.exchanges;
+  const bool is_certain = sampled.surface.part_of.empty() && estimate.trust >= plane.share;
+  return !explains_rest && !is_certain;
 }
 
 } // namespace
