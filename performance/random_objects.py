@@ -16,6 +16,7 @@ A mirrored object is right where it is symmetric, whole or in part, and three qu
 the status is partly_symmetric. The odd part is at most a third of the diagonal long, its middle at least a tenth of it off
 the plane of the rest.
 """
+import argparse
 import csv
 import json
 import math
@@ -234,37 +235,28 @@ def outcome(program, made, stem, options):
     return report["status"], report["confidence"], made.share_of_right(partners)
 
 
-def value_of(words, name, default):
-    if name not in words:
-        return default
-    at = words.index(name)
-    value = words[at + 1]
-    del words[at:at + 2]
-    return value
-
-
 def main():
     words = sys.argv[1:]
-    options = words[words.index("--") + 1:] if "--" in words else []
-    words = words[:words.index("--")] if "--" in words else words
-    objects, first = int(value_of(words, "--objects", 60)), int(value_of(words, "--seed", 1))
-    keep = value_of(words, "--keep", None)
-    as_cloud = "--as-cloud" in words
-    if as_cloud:
-        words.remove("--as-cloud")
-    if len(words) != 1:
-        sys.exit(__doc__)
-    program = os.path.join(words[0], "pcl_intrinsic_symmetry")
+    cut = words.index("--") if "--" in words else len(words)
+    options = words[cut + 1:]
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("bin")
+    parser.add_argument("--objects", type=int, default=60)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--as-cloud", action="store_true")
+    parser.add_argument("--keep")
+    args = parser.parse_args(words[:cut])
+    program = os.path.join(args.bin, "pcl_intrinsic_symmetry")
     counts = Counter()
     with tempfile.TemporaryDirectory() as scratch:
-        folder = keep or scratch
+        folder = args.keep or scratch
         os.makedirs(folder, exist_ok=True)
-        for seed in range(first, first + objects):
+        for seed in range(args.seed, args.seed + args.objects):
             rng = random.Random(seed)
             parts = (furniture, vehicle, thing)[seed % 3](rng)
             for kind, odd in (("mirrored", []), ("odd", [odd_part(rng, parts)])):
                 stem = os.path.join(folder, f"{kind}{seed}")
-                status, confidence, share = outcome(program, Object(parts, odd, seed, as_cloud), stem, options)
+                status, confidence, share = outcome(program, Object(parts, odd, seed, args.as_cloud), stem, options)
                 wanted = ("symmetric", "partly_symmetric") if kind == "mirrored" else ("partly_symmetric",)
                 counts[kind, "right" if status in wanted and share >= 0.75 else status] += 1
                 print(f"{kind + str(seed):12} {status:18} {confidence:5.2f} {share:6.3f}", flush=True)

@@ -14,7 +14,7 @@ logMisfit(const std::vector<PatchFit>& fits, const PatchFit& mean, float weight_
 {
   constexpr float least_distance = 2e-3F;     // sampling noise
   constexpr float least_turn = 0.01F;         // the same: 8 degrees
-  constexpr float least_median_turn = 0.005F; // the same, of the median: 6 degrees
+  constexpr float least_median_turn = 0.005F; // as MapCalibration::turn_floor: 6 degrees; not fitted
   std::vector<float> turns(fits.size());
   std::transform(fits.begin(), fits.end(), turns.begin(), [](const PatchFit& fit) { return fit.turn; });
   return 0.5F * std::log(mean.distance + least_distance) + std::log(mean.turn + least_turn) +
@@ -24,7 +24,7 @@ logMisfit(const std::vector<PatchFit>& fits, const PatchFit& mean, float weight_
 float
 logDisplacement(float displacement)
 {
-  constexpr float most = 0.5F;   // share of the diameter: few reflections move more
+  constexpr float most = 0.5F;   // share of the diameter: few reflections move more; by hand
   constexpr float least = 2e-3F; // keeps the logarithm finite
   return std::log(std::min(displacement, most) + least);
 }
