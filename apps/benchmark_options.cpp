@@ -94,6 +94,8 @@ checkCombination(const BenchmarkOptions& options)
     throw UsageError("--evidence writes nothing else: it goes with no other output");
   if (!options.vertex_evidence.empty() && options.evidence.empty())
     throw UsageError("--vertex-evidence goes with --evidence");
+  if (options.contenders && (options.evidence.empty() || !options.vertex_evidence.empty()))
+    throw UsageError("--contenders goes with --evidence alone");
   if (options.graph && (options.run.as_cloud || !options.csv.empty() || !options.json.empty() ||
                         !options.plot.empty() || !options.map_folder.empty()))
     throw UsageError("--graph finds no maps: it goes with neither --as-cloud nor an output file");
@@ -168,6 +170,8 @@ describeOptions(BenchmarkOptions& options)
               "instead of the scores: what the confidence is calibrated with");
   output.file("vertex-evidence", options.vertex_evidence,
               "with --evidence: the same for every scored vertex, into another .csv file");
+  output.flag("contenders", options.contenders,
+              "with --evidence: of all refined maps of the first interpretation instead, among which one is chosen");
   output.file("plot", options.plot, "draw the geodesic error curves into this .svg file");
   output.folder("paper", options.paper,
                 "run both methods and write tables and figures beside the published ones into this folder: paper.md");

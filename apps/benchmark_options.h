@@ -26,6 +26,7 @@ struct BenchmarkOptions {
   std::vector<std::string> exchanged;
   std::string evidence;
   std::string vertex_evidence;
+  bool contenders = false; ///< evidence of those of the first interpretation
   RunOptions run;
   int samples = 0; ///< of the method that runs; 0: its default
   unsigned jobs = 1;

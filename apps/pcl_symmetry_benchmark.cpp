@@ -98,7 +98,8 @@ int
 runEvidence(const BenchmarkOptions& options)
 {
   checkWritableFiles({options.evidence, options.vertex_evidence});
-  const std::vector<EvidenceRow> rows = collectEvidence(selectModels(options), options.run, options.jobs, std::cerr);
+  const auto collect = options.contenders ? collectContenders : collectEvidence;
+  const std::vector<EvidenceRow> rows = collect(selectModels(options), options.run, options.jobs, std::cerr);
   writeEvidence(options.evidence, rows);
   if (!options.vertex_evidence.empty())
     writeVertexEvidence(options.vertex_evidence, rows);

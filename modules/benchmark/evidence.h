@@ -21,15 +21,15 @@ struct VertexEvidence {
   PointEvidence evidence;  ///< at the landmark around it
 };
 
-/** \brief One map of one interpretation of a model, whether it is delivered or not. */
+/** \brief One map of a model, whether it is delivered or not. */
 struct EvidenceRow {
   BenchmarkModel model;
   std::string input;      ///< mesh, cloud or mesh_as_cloud
-  std::size_t number = 0; ///< of the interpretation, from 0
+  std::size_t number = 0; ///< of the interpretation, or of the contender, from 0
   bool is_cut = false;    ///< a limb was cut off: no map is right as a whole
   double rate = 0.0;      ///< Correspondence Rate; where a limb was cut off, of the pairs that are left
   float confidence = 0.0F;
-  std::vector<std::pair<std::string, float>> measures; ///< namedMeasures ()
+  std::vector<std::pair<std::string, float>> measures; ///< namedMeasures () and misfit, SampleEstimate::value
   std::vector<VertexEvidence> vertices;                ///< empty where a limb was cut off
 };
 
@@ -40,6 +40,14 @@ collectEvidence(const std::vector<BenchmarkModel>& models,
                 const RunOptions& options,
                 unsigned jobs,
                 std::ostream& errors);
+
+/** \brief The same with a row for every contender of the first interpretation, the one that is taken first: all maps that
+ * were refined, among them those with limbs exchanged. What the choice among them is fitted with. */
+std::vector<EvidenceRow>
+collectContenders(const std::vector<BenchmarkModel>& models,
+                  const RunOptions& options,
+                  unsigned jobs,
+                  std::ostream& errors);
 
 /** \brief Comma-separated values with a header line; without rows nothing, since the measures have no names then.
  * \throws pcl::IOException cannot be written */

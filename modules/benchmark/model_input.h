@@ -4,6 +4,7 @@
 #pragma once
 
 #include "benchmark/run.h"
+#include "symmetry/surface/prepared_surface.h"
 
 namespace pcl {
 namespace symmetry {
@@ -35,6 +36,10 @@ mapOfFile(const ModelInput& input, const std::vector<Index>& partners);
  * \throws as readSurface (), readGroundTruth (), cutLimb () and disturb () */
 ModelInput
 readModel(const BenchmarkModel& model, const RunOptions& options);
+
+/** \brief What the estimation gets, as its first interpretation has it. */
+PreparedSurface
+firstSurface(const ModelInput& input, const SymmetryParameters& parameters);
 
 /** \brief The parameters of the estimation: those of the options, but for a variant with another number of samples. */
 SymmetryParameters

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "symmetry/map_estimate.h"
+#include "symmetry/map_judgement.h"
 #include "symmetry/mirror_method.h"
 #include "symmetry/refine/sample_refinement.h"
 #include "symmetry/samples/sampled_surface.h"
@@ -14,6 +15,7 @@
 
 #include <pcl/symmetry/symmetry_parameters.h>
 
+#include <functional>
 #include <vector>
 
 namespace pcl {
@@ -29,6 +31,8 @@ struct RobustSettings {
   std::size_t contenders = 4;       ///< best candidates that are refined and compared, as long as their scores
   float contender_margin = 0.7F;    ///< are not worse than the best one's by more than this: half as isometric
   std::size_t later_contenders = 2; ///< the same beside maps of other interpretations, which are refined as well
+  /** Shown all refined maps, the one that is taken first; none where a mirror plane explains the surface. May be empty. */
+  std::function<void(const SampledSurface&, const std::vector<Contender>&)> observer;
 };
 
 /** \brief Finds the symmetric map of any connected surface.

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace pcl {
@@ -76,6 +77,7 @@ TEST_F(EvidenceTest, MapsByAMirrorPlaneAreLeftOut)
   for (const EvidenceRow& row : rows) {
     EXPECT_EQ(row.model.name, "human");
     EXPECT_EQ(namesOfMeasures(row), names) << "one header serves all rows";
+    EXPECT_EQ(std::count(names.begin(), names.end(), "misfit"), 1);
     EXPECT_GT(row.vertices.size(), 100U);
   }
 
@@ -83,6 +85,35 @@ TEST_F(EvidenceTest, MapsByAMirrorPlaneAreLeftOut)
   writeEvidence(path("none.csv"), collectEvidence({models_[0]}, options_, 1, errors));
   EXPECT_EQ(read(path("none.csv")), "");
   EXPECT_EQ(errors.str(), "");
+}
+
+float
+measureOf(const EvidenceRow& row, const std::string& name)
+{
+  const auto measure =
+      std::find_if(row.measures.begin(), row.measures.end(), [&name](const auto& m) { return m.first == name; });
+  return measure == row.measures.end() ? std::numeric_limits<float>::quiet_NaN() : measure->second;
+}
+
+TEST_F(EvidenceTest, ContendersAreAllMapsAmongWhichOneIsChosen)
+{
+  std::ostringstream errors;
+  const std::vector<EvidenceRow> chosen = collectEvidence(models_, options_, 1, errors);
+  const std::vector<EvidenceRow> rows = collectContenders(models_, options_, 1, errors);
+  EXPECT_EQ(errors.str(), "");
+  ASSERT_FALSE(chosen.empty());
+  ASSERT_FALSE(rows.empty());
+
+  // The one that is taken comes first, as the first interpretation has it, and fits best.
+  EXPECT_EQ(rows.front().confidence, chosen.front().confidence);
+  EXPECT_EQ(rows.front().rate, chosen.front().rate);
+  EXPECT_EQ(measureOf(rows.front(), "misfit"), measureOf(chosen.front(), "misfit"));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    EXPECT_EQ(rows[k].model.name, "human") << "a mirror plane explains the chair";
+    EXPECT_EQ(rows[k].number, k);
+    EXPECT_GE(measureOf(rows[k], "misfit"), measureOf(rows.front(), "misfit"));
+    EXPECT_EQ(namesOfMeasures(rows[k]), namesOfMeasures(rows.front()));
+  }
 }
 
 } // namespace

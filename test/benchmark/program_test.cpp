@@ -245,6 +245,24 @@ TEST_F(BenchmarkProgramTest, WritesTheEvidenceOfEveryMap)
   EXPECT_EQ(runBenchmark({writeHuman(), "--evidence", path("e.csv"), "--csv", path("c.csv")}).exit_status, 2);
 }
 
+TEST_F(BenchmarkProgramTest, WritesTheEvidenceOfEveryContender)
+{
+  const ProgramRun run = runBenchmark({writeHuman(), "--evidence", path("contenders.csv"), "--contenders"});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  std::istringstream table(read(path("contenders.csv")));
+  std::string header;
+  std::string row;
+  ASSERT_TRUE(std::getline(table, header));
+  ASSERT_TRUE(std::getline(table, row));
+  EXPECT_NE(header.find(",misfit"), std::string::npos) << header;
+  EXPECT_NE(row.find(",mesh,0,0,1,"), std::string::npos) << "the best one, whole, all right: " << row;
+  EXPECT_EQ(runBenchmark({writeHuman(), "--contenders"}).exit_status, 2);
+  EXPECT_EQ(
+      runBenchmark({writeHuman(), "--evidence", path("e.csv"), "--vertex-evidence", path("v.csv"), "--contenders"})
+          .exit_status,
+      2);
+}
+
 TEST_F(BenchmarkProgramTest, AModelThatFailsIsReportedAndEndsWithOne)
 {
   write("sets/MADE/broken.off", "OFF\n3 1 0\n0 0 0\n");

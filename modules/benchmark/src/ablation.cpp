@@ -1,18 +1,16 @@
 #include "benchmark/ablation.h"
 
-#include "../../estimation/src/neighbour_search.h"
 #include "base/error_text.h"
 #include "base/parallel.h"
 #include "base/statistics.h"
 #include "benchmark/metrics.h"
 #include "benchmark/model_input.h"
 #include "benchmark/summary.h"
-#include "symmetry/interpretations.h"
+#include "symmetry/rival_interpretations.h"
 
 #include <chrono>
 #include <exception>
 #include <iomanip>
-#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -48,11 +46,9 @@ runAllOf(const BenchmarkModel& model, const std::vector<Ablation>& changes, cons
   try {
     const ModelInput input = readModel(model, options);
     const SymmetryParameters parameters = parametersFor(model, options);
-    const NeighbourSearch search = searchByKdTree;
-    InterpretationPlan plan(input.input.surface, parameters, search);
-    const std::optional<InterpretationPlan::Attempt> first = plan.next(RivalInterpretations(plan.pooling()));
+    const PreparedSurface surface = firstSurface(input, parameters);
     for (std::size_t k = 0; k < changes.size(); ++k) {
-      runAblation(runs[k], input, first->surface, parameters, changes[k].settings);
+      runAblation(runs[k], input, surface, parameters, changes[k].settings);
     }
   }
   catch (const std::exception& error) {

@@ -7,6 +7,8 @@
 #include "benchmark/model_input.h"
 #include "io/write/output_file.h"
 #include "symmetry/pipeline.h"
+#include "symmetry/refine/point_map.h"
+#include "symmetry/robust_method.h"
 
 #include <exception>
 #include <iterator>
@@ -52,6 +54,19 @@ vertexEvidence(const Interpretation& interpretation, const ModelInput& model, co
   return vertices;
 }
 
+/** What a map of a model is known to be, without what was measured on it. */
+EvidenceRow
+rowFor(const BenchmarkModel& model, const PreparedSurface& surface, const RunOptions& options, std::size_t number)
+{
+  EvidenceRow row;
+  row.model = model;
+  row.input = surface.summary.read_as_cloud ? "mesh_as_cloud" : options.as_cloud ? "cloud" : "mesh";
+  row.number = number;
+  row.is_cut = options.cut_limb.has_value();
+  return row;
+}
+
+/** Every map of every interpretation. */
 std::vector<EvidenceRow>
 evidenceOf(const BenchmarkModel& model, const RunOptions& options)
 {
@@ -62,13 +77,7 @@ evidenceOf(const BenchmarkModel& model, const RunOptions& options)
   interpretSurface(input.input.surface, parametersFor(model, options), searchByKdTree, timer, summary,
                    [&](const Interpretation& interpretation) {
                      const MapEstimate& estimate = interpretation.estimate;
-                     EvidenceRow row;
-                     row.model = model;
-                     row.input = interpretation.surface.summary.read_as_cloud ? "mesh_as_cloud"
-                                 : options.as_cloud                           ? "cloud"
-                                                                              : "mesh";
-                     row.number = rows.size();
-                     row.is_cut = options.cut_limb.has_value();
+                     EvidenceRow row = rowFor(model, interpretation.surface, options, rows.size());
                      row.confidence = estimate.map_confidence;
                      row.measures = estimate.measures;
                      if (!input.asked.empty()) {
@@ -86,13 +95,45 @@ evidenceOf(const BenchmarkModel& model, const RunOptions& options)
   return rows;
 }
 
-} // namespace
-
+/** Every contender of the first interpretation. */
 std::vector<EvidenceRow>
-collectEvidence(const std::vector<BenchmarkModel>& models,
-                const RunOptions& options,
-                unsigned jobs,
-                std::ostream& errors)
+contendersOf(const BenchmarkModel& model, const RunOptions& options)
+{
+  const ModelInput input = readModel(model, options);
+  const SymmetryParameters parameters = parametersFor(model, options);
+  Interpretation interpretation{firstSurface(input, parameters), {}};
+  std::vector<EvidenceRow> rows;
+  RobustSettings settings;
+  settings.sampling.samples = static_cast<std::size_t>(parameters.robust.samples);
+  settings.observer = [&](const SampledSurface& sampled, const std::vector<Contender>& contenders) {
+    const MapJudge judge(sampled);
+    for (const Contender& contender : contenders) {
+      EvidenceRow row = rowFor(model, interpretation.surface, options, rows.size());
+      const MapEvidence evidence = judge.evidenceFor(*contender.candidate, contender.samples);
+      row.confidence = mapConfidence(evidence);
+      row.measures = namedMeasures(evidence);
+      row.measures.emplace_back("misfit", contender.samples.value);
+      if (!input.asked.empty()) {
+        interpretation.estimate.partners = partnersOfPoints(sampled, contender.samples.partners);
+        row.rate = scoreMap(input.mesh, input.asked, mapOfFile(input, mapOfInput(interpretation))).correspondenceRate();
+      }
+      rows.push_back(std::move(row));
+    }
+  };
+  StepTimer timer;
+  estimateRobust(interpretation.surface, parameters, settings, timer);
+  return rows;
+}
+
+using CollectRows = std::vector<EvidenceRow> (*)(const BenchmarkModel&, const RunOptions&);
+
+/** The rows of all models, in their order. */
+std::vector<EvidenceRow>
+collectRows(CollectRows rows_of,
+            const std::vector<BenchmarkModel>& models,
+            const RunOptions& options,
+            unsigned jobs,
+            std::ostream& errors)
 {
   std::vector<std::vector<EvidenceRow>> rows(models.size());
   std::vector<std::string> failures(models.size());
@@ -100,7 +141,7 @@ collectEvidence(const std::vector<BenchmarkModel>& models,
   parallelFor(models.size(), [&](std::size_t i) {
     const ThreadScope of_a_job(options.parameters.threads);
     try {
-      rows[i] = evidenceOf(models[i], options);
+      rows[i] = rows_of(models[i], options);
     }
     catch (const std::exception& error) {
       failures[i] = errorText(error);
@@ -114,6 +155,26 @@ collectEvidence(const std::vector<BenchmarkModel>& models,
     all.insert(all.end(), std::make_move_iterator(rows[i].begin()), std::make_move_iterator(rows[i].end()));
   }
   return all;
+}
+
+} // namespace
+
+std::vector<EvidenceRow>
+collectEvidence(const std::vector<BenchmarkModel>& models,
+                const RunOptions& options,
+                unsigned jobs,
+                std::ostream& errors)
+{
+  return collectRows(evidenceOf, models, options, jobs, errors);
+}
+
+std::vector<EvidenceRow>
+collectContenders(const std::vector<BenchmarkModel>& models,
+                  const RunOptions& options,
+                  unsigned jobs,
+                  std::ostream& errors)
+{
+  return collectRows(contendersOf, models, options, jobs, errors);
 }
 
 void

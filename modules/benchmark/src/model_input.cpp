@@ -1,5 +1,7 @@
 #include "benchmark/model_input.h"
 
+#include "../../estimation/src/neighbour_search.h"
+#include "symmetry/interpretations.h"
 #include "symmetry/samples/sampled_surface.h"
 
 #include <pcl/symmetry/surface_io.h>
@@ -115,6 +117,14 @@ readModel(const BenchmarkModel& model, const RunOptions& options)
                                             : subsampleTruth(truth);
   }
   return result;
+}
+
+PreparedSurface
+firstSurface(const ModelInput& input, const SymmetryParameters& parameters)
+{
+  const NeighbourSearch search = searchByKdTree;
+  InterpretationPlan plan(input.input.surface, parameters, search);
+  return plan.next(RivalInterpretations(plan.pooling()))->surface;
 }
 
 SymmetryParameters

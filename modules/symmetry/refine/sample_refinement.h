@@ -28,9 +28,8 @@ struct RefinementSettings {
   std::size_t score_queries = 300; ///< landmarks that take part in the measure of isometry
   float fit = 1.0F;                ///< weight of the fit of the patches in the value of an estimate
   /** Weights in it of the median turn of the patches beside the mean, and of the displacement beside that in the score.
-   * Round numbers on a plateau: leaving out one of five sets at a time, a fit to the others takes 1 to 2 and 0.5 to 0.75,
-   * and the set left out gains or stays as it is. The fit cannot be repeated with this tree, which writes no table of all
-   * refined maps; see the decision on what moves little. */
+   * Round numbers on a plateau that reaches to 4 and 1, fitted by performance/calibrate_misfit.py: each set left out in
+   * turn gains or stays as it is; see the decision on what moves little. */
   float median_turn = 1.0F;
   float displacement = 0.5F;
 };

@@ -113,6 +113,9 @@ estimateRobust(const PreparedSurface& surface,
     addContenders(refinement, exchanged, contenders);
     estimate = judge.verdict(contenders);
   }
+  if (settings.observer) {
+    settings.observer(sampled, contenders);
+  }
   // Deliver: from the samples to all points, also where the map is refused: other interpretations may speak for it.
   timer.start("dense", 0.8);
   deliverMap(sampled, contenders.front().samples, estimate);
