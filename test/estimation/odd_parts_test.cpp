@@ -1,6 +1,7 @@
 // Objects that are mirrored but for a part that was fitted on, and bodies whose limbs are only posed.
 #include "base/vector_math.h"
 #include "support/boxes.h"
+#include "support/scattered.h"
 #include "support/symmetric_shapes.h"
 
 #include <pcl/symmetry/symmetry.h>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -56,29 +56,6 @@ TEST(OddParts, OfAMeshAreNamedAndTheRestIsMirrored)
   EXPECT_GE(result.unsupported[0].extreme, static_cast<Index>(of_chair));
   EXPECT_NEAR(std::abs(result.plane.normal[0]), 1.0, 1e-3);
   EXPECT_NEAR(result.confidence, 0.8F, 0.1F) << "the share that has a counterpart";
-}
-
-/** Points at random places, as many on each area as on any other of its size. */
-Surface
-scattered(const Surface& mesh, std::size_t count)
-{
-  std::vector<float> areas;
-  for (const Triangle& t : mesh.triangles) {
-    const Vector3& a = mesh.points[t[0]];
-    areas.push_back(norm(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a)));
-  }
-  std::mt19937_64 random(1);
-  std::discrete_distribution<std::size_t> face(areas.begin(), areas.end());
-  std::uniform_real_distribution<float> share(0.0F, 1.0F);
-  Surface cloud;
-  while (cloud.size() < count) {
-    const Triangle& t = mesh.triangles[face(random)];
-    const float u = std::sqrt(share(random));
-    const float v = share(random);
-    cloud.points.push_back((1.0F - u) * mesh.points[t[0]] + u * (1.0F - v) * mesh.points[t[1]] +
-                           u * v * mesh.points[t[2]]);
-  }
-  return cloud;
 }
 
 TEST(OddParts, OfACloudAreNamedAndTheRestIsMirrored)

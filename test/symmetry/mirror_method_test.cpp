@@ -1,7 +1,9 @@
+#include "base/bounding_box.h"
 #include "base/vector_math.h"
 #include "cloud/clouds.h"
 #include "support/boxes.h"
 #include "support/prepared.h"
+#include "support/scattered.h"
 #include "support/shapes.h"
 #include "symmetry/mirror_method.h"
 #include "symmetry/surface/surface_preparation.h"
@@ -53,6 +55,33 @@ TEST(MirrorPlanesOfACloud, APartAsLargeAsOthersCounts)
   addBox(chair, {0.3F, -0.25F, 0.4F}, {0.7F, 0.2F, 0.45F}); // a table at one arm
   const std::vector<MirrorFit> planes = planesOfCloud(splitTwice(chair).points);
   EXPECT_TRUE(planes.empty() || planes[0].is_of_part);
+}
+
+/** Of one diagonal in twelve from 1.55 on the tolerance becomes larger when it is multiplied by it and divided again. */
+TEST(MirrorPlanesOfACloud, APlaneOfAPartIsFoundWhateverTheDiagonal)
+{
+  Surface chair = chairOfBoxes();
+  addBox(chair, {0.3F, -0.25F, 0.4F}, {0.7F, 0.2F, 0.45F});
+  const std::vector<Vector3> points = scattered(chair, 8000).points;
+  const float tolerance = PlaneSearchSettings{}.tolerance;
+  int rounded = 0;
+  for (int k = 0; k < 200 && rounded < 3; ++k) {
+    Surface cloud;
+    cloud.points = points;
+    for (Vector3& p : cloud.points) {
+      p[1] *= 1.8F + 0.001F * static_cast<float>(k);
+    }
+    const PreparedSurface prepared = prepareAsItStands(cloud, SymmetryParameters{}, nearestNeighbours);
+    const auto diagonal = static_cast<float>(boundingBox(prepared.points).diagonal());
+    if (tolerance * diagonal / diagonal <= tolerance) {
+      continue;
+    }
+    ++rounded;
+    const std::vector<MirrorFit> planes = mirrorPlanesOf(prepared, usual_samples, MirrorSettings{});
+    ASSERT_EQ(planes.size(), 1U) << k;
+    EXPECT_TRUE(planes[0].is_of_part);
+  }
+  EXPECT_EQ(rounded, 3);
 }
 
 TEST(MirrorPlanesOfACloud, StrayPointsDoNotOutweighTheRest)

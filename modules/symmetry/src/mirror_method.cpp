@@ -67,8 +67,10 @@ std::vector<MirrorFit>
 planesThatFit(const PreparedSurface& surface, const AreaSamples& samples, const MirrorSettings& settings)
 {
   PlaneSearchSettings search = settings.planes;
-  search.tolerance = toleranceFor(surface, settings.planes) / diagonalOf(surface);
-  if (search.tolerance > settings.planes.tolerance) {
+  const float diagonal = diagonalOf(surface);
+  const float tolerance = toleranceFor(surface, settings.planes);
+  if (tolerance > settings.planes.tolerance * diagonal) {
+    search.tolerance = tolerance / diagonal;
     search.exact_residual = 0.0F; // between sparse points nothing is known exactly
   }
   return findMirrorPlanes(samples, surface, search);
