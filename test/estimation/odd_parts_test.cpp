@@ -109,6 +109,33 @@ TEST(OddParts, OnTheRoofOfATruckAreNamedHoweverCertainAMapIs)
   }
 }
 
+/** As a cloud it is in one part, and a search along its surface is sure of a map that turns it front to back. */
+TEST(OddParts, ACloudOfATruckIsMirroredHoweverCertainAMapIs)
+{
+  Surface truck = truckOfBoxes();
+  addBox(truck, {-0.7F, -0.1F, 0.1F}, {0.7F, 0.2F, 0.15F});
+  for (Vector3& p : truck.points) {
+    p[1] *= 0.8F;
+  }
+  const Surface cloud = scattered(truck, 8000);
+  const SymmetryResult result = estimateIntrinsicSymmetry(cloud);
+  EXPECT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  EXPECT_LT(wrongPartners(cloud, result, cloud.size(), 0.05F), cloud.size() / 100);
+}
+
+/** Where the search finds the same, the plane is the more precise one. */
+TEST(OddParts, ACloudOfAChairIsMirroredExactly)
+{
+  Surface chair = chairOfBoxes();
+  for (Vector3& p : chair.points) {
+    p[1] *= 1.3F;
+  }
+  const Surface cloud = scattered(chair, 8000);
+  const SymmetryResult result = estimateIntrinsicSymmetry(cloud);
+  EXPECT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  EXPECT_LT(wrongPartners(cloud, result, cloud.size(), 0.05F), cloud.size() / 100);
+}
+
 TEST(OddParts, AKnobIsNone)
 {
   Surface chair = chairOfBoxes();
@@ -131,15 +158,15 @@ TEST(OddParts, AFewBoxesAreAnObject)
   EXPECT_EQ(wrongPartners(stool, result, stool.size(), 1e-3F), 0U);
 }
 
-/** A trunk with a head, mirrored in x = 0, and arms: one hangs down, the other is raised. But for the head it is mirrored in
- * z = 0 as well. */
+/** A trunk with a head, mirrored in x = 0, and arms: one hangs down, the other is raised. But for the head, where it looks
+ * forward, it is mirrored in z = 0 as well. */
 Surface
-figureWithRaisedArm(bool has_other_arm)
+figureWithRaisedArm(bool has_other_arm, double forward = 0.1)
 {
   using V = Eigen::Vector3d;
   std::vector<RoundCone> cones;
   cones.emplace_back(V(0.0, 0.0, 0.0), 0.3, V(0.0, 0.9, 0.0), 0.35);
-  cones.emplace_back(V(0.0, 1.2, 0.0), 0.15, V(0.0, 1.5, 0.1), 0.2);
+  cones.emplace_back(V(0.0, 1.2, 0.0), 0.15, V(0.0, 1.5, forward), 0.2);
   for (const double side : {-1.0, 1.0}) {
     cones.emplace_back(V(0.15 * side, -0.1, 0.0), 0.13, V(0.25 * side, -1.0, 0.0), 0.1);
   }
@@ -163,6 +190,20 @@ TEST(OddParts, PosedLimbsAreNone)
   const SymmetryResult result = estimateIntrinsicSymmetry(figure);
   EXPECT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
   EXPECT_EQ(matched(result), figure.size());
+}
+
+/** The same front to back, too: what people mean is that its arms change places. */
+TEST(OddParts, PosedLimbsOfADollAreNone)
+{
+  const Surface doll = figureWithRaisedArm(true, 0.0);
+  const SymmetryResult result = estimateIntrinsicSymmetry(doll);
+  EXPECT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  const auto right = [](const Vector3& a, const Vector3& b) {
+    return a[0] < b[0];
+  };
+  const auto hand = std::max_element(doll.points.begin(), doll.points.end(), right) - doll.points.begin();
+  ASSERT_NE(result.partners[static_cast<std::size_t>(hand)], no_index);
+  EXPECT_LT(doll.points[static_cast<std::size_t>(result.partners[static_cast<std::size_t>(hand)])][0], -1.0F);
 }
 
 TEST(OddParts, AnOddLimbOfAFigureIsOne)

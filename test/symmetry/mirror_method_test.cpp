@@ -197,6 +197,27 @@ TEST_F(PosedBars, AMapThatTurnsTheTrunkAnotherWayContradicts)
                                                     }),
                                                     fit_, {});
   EXPECT_TRUE(compared.contradicts);
+  EXPECT_FALSE(compared.moves_farther);
+}
+
+/** A plane through the broad sides of a board exchanges them; a map that exchanges its ends moves it much farther. */
+TEST_F(PosedBars, AMapThatMovesTheTrunkMuchFartherSaysSo)
+{
+  fit_.plane = {{0.0F, 1.0F, 0.0F}, 0.0F};
+  const auto upside_down = sending([](const Vector3& p) { return Vector3{p[0], p[1], -p[2]}; });
+  const PlaneComparison compared = compareWithPlane(sampled_, upside_down, fit_, {});
+  EXPECT_TRUE(compared.contradicts);
+  EXPECT_TRUE(compared.moves_farther);
+}
+
+/** The sides are named by the shape: not by the direction of the normal, which depends on how a surface lies. */
+TEST_F(PosedBars, SidesAreNamedAlikeWhicheverWayTheNormalPoints)
+{
+  MirrorFit turned = fit_;
+  turned.plane = {{-1.0F, 0.0F, 0.0F}, 0.0F};
+  const MapEstimate first = estimateByMirror(sampled_, {fit_}, {}, {});
+  const MapEstimate second = estimateByMirror(sampled_, {turned}, {}, {});
+  EXPECT_EQ(first.side_function, second.side_function);
 }
 
 } // namespace

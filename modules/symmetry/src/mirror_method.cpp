@@ -12,6 +12,7 @@
 #include "symmetry/mirror/mirror_map.h"
 #include "symmetry/mirror/surface_distance.h"
 #include "symmetry/search/map_score.h"
+#include "symmetry/sides/side_names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,15 +51,24 @@ mapByPlane(const SampledSurface& sampled, const PlaneReflection& plane, const Mi
   return mapByMirror(surface, plane, close, std::max(close, reach));
 }
 
-/** The heights over the plane; what lies in it is on neither side. */
+/** The heights over the plane, positive on the side that the shape names so; what lies in it is on neither. */
 std::vector<float>
-sidesOfPlane(const PreparedSurface& surface, const PlaneReflection& plane)
+sidesOfPlane(const SampledSurface& sampled, const PlaneReflection& plane)
 {
   constexpr float rounding = 1e-5F; // surfaces are at unit scale
+  std::vector<float> at_samples;
+  float squares = 0.0F;
+  for (const Vector3& p : sampled.coarse.points) {
+    at_samples.push_back(plane.height(p));
+    squares += at_samples.back() * at_samples.back();
+  }
+  const float scale = std::sqrt(static_cast<float>(at_samples.size()) / std::max(squares, 1e-12F));
+  std::transform(at_samples.begin(), at_samples.end(), at_samples.begin(), [scale](float h) { return scale * h; });
+  const float sign = chirality(sampled, at_samples) < 0.0 ? -1.0F : 1.0F;
   std::vector<float> sides;
-  for (const Vector3& p : surface.points) {
+  for (const Vector3& p : sampled.surface.points) {
     const float height = plane.height(p);
-    sides.push_back(std::abs(height) < rounding ? 0.0F : height);
+    sides.push_back(std::abs(height) < rounding ? 0.0F : sign * height);
   }
   return sides;
 }
@@ -182,6 +192,14 @@ haveEqualFits(const std::vector<MirrorFit>& planes)
   return countEqualFits(planes) > 1;
 }
 
+bool
+carriesAll(const MirrorFit& fit, const SampledSurface& sampled, const MirrorSettings& settings)
+{
+  const std::vector<char> is_off =
+      pointsWithoutCounterpart(sampled.surface, fit.plane, toleranceFor(sampled.surface, settings.planes));
+  return std::find(is_off.begin(), is_off.end(), 1) == is_off.end();
+}
+
 PlaneComparison
 compareWithPlane(const SampledSurface& sampled,
                  const SampleEstimate& samples,
@@ -192,6 +210,8 @@ compareWithPlane(const SampledSurface& sampled,
   const SurfaceDistance distance_from(surface, toleranceFor(surface, settings.planes));
   std::vector<Vector3> by_map;
   std::vector<Vector3> by_plane;
+  float way_by_map = 0.0F;
+  float way_by_plane = 0.0F;
   std::vector<char> is_off(samples.partners.size(), 0);
   for (std::size_t i = 0; i < is_off.size(); ++i) {
     const Vector3 image = fit.plane.image(sampled.coarse.points[i]);
@@ -199,6 +219,8 @@ compareWithPlane(const SampledSurface& sampled,
     if (is_off[i] == 0) {
       by_map.push_back(surface.points[samples.partners[i]]);
       by_plane.push_back(image);
+      way_by_map += sampled.coarse.areas[i] * distance(sampled.coarse.points[i], by_map.back());
+      way_by_plane += sampled.coarse.areas[i] * distance(sampled.coarse.points[i], image);
     }
   }
   float rest = 0.0F;
@@ -215,7 +237,7 @@ compareWithPlane(const SampledSurface& sampled,
       exchanged += sampled.coarse.areas[i];
     }
   }
-  return {!areAlike(by_map, by_plane), 2.0F * exchanged > rest};
+  return {!areAlike(by_map, by_plane), way_by_map > 2.0F * way_by_plane, 2.0F * exchanged > rest};
 }
 
 MapEstimate
@@ -248,7 +270,7 @@ estimateByMirror(const SampledSurface& sampled,
     estimate.confidences.push_back(best.share * support);
   }
   estimate.partners = std::move(map.partners);
-  estimate.side_function = sidesOfPlane(sampled.surface, best.plane);
+  estimate.side_function = sidesOfPlane(sampled, best.plane);
   estimate.are_sides_exact = true;
   describeMap(sampled, estimate);
   estimate.equal_reflections = haveEqualFits(planes) ? countEqualFits(planes) : 0;

@@ -25,10 +25,14 @@ tooFewPoints()
 
 /** Whether a mirror plane is more to be trusted than the best map that the search has found.
  *
- * A map that does the same as the plane may explain the rest as well, refused or not: limbs of a posed body, which it
- * exchanges. An odd part is sent into itself, or anywhere. Most of an object in parts hardly lies exactly on itself by chance:
- * however certain a map seems that does otherwise there, or does not explain the rest, the plane says what is odd. A body
- * may be nearly mirrored front to back besides: there the more certain one counts. */
+ * All of a surface hardly lies exactly on itself by chance: where a map sends it elsewhere the plane is right, however
+ * certain the map is, and where a map does the same the plane is more precise. But a plier is its own mirror image through
+ * its thickness, and a doll front to back, while what people mean is that its limbs change places: what a plane moves much
+ * less than a map that is sure does not settle it.
+ *
+ * What a plane leaves out may be a pose: a map that does the same as the plane may explain it, refused or not, and exchange
+ * limbs. An odd part is sent into itself, or anywhere. Most of an object in parts hardly lies exactly on itself by chance
+ * either; of a body in one part, which may be nearly mirrored front to back besides, the more certain one counts. */
 bool
 explainsMore(const MirrorFit& plane,
              const SampledSurface& sampled,
@@ -36,13 +40,14 @@ explainsMore(const MirrorFit& plane,
              const MapEstimate& estimate,
              const MirrorSettings& settings)
 {
-  if (!plane.is_of_part) {
-    return estimate.confidence < std::min(plane.share, in_doubt);
-  }
   if (contenders.empty()) {
     return true;
   }
   const PlaneComparison map = compareWithPlane(sampled, contenders.front().samples, plane, settings);
+  if (!plane.is_of_part) {
+    const bool is_in_doubt = estimate.confidence < std::min(plane.share, in_doubt);
+    return is_in_doubt || (map.contradicts ? !map.moves_farther : carriesAll(plane, sampled, settings));
+  }
   const bool explains_rest = !map.contradicts && map.exchanges;
   const bool is_certain = sampled.surface.part_of.empty() && estimate.trust >= plane.share;
   return !explains_rest && !is_certain;
@@ -90,11 +95,21 @@ estimateRobust(const PreparedSurface& surface,
   // Judge: which of them fits best, and whether it is a symmetry at all.
   const MapJudge judge(sampled);
   MapEstimate estimate = judge.verdict(contenders);
+  const bool lists_others = parameters.alternatives > 1 && !parameters.sparse_only;
   if (!planes.empty() && explainsMore(planes.front(), sampled, contenders, estimate, settings.mirror)) {
     timer.start("dense", 0.8);
     MapEstimate mirrored = estimateByMirror(sampled, planes, parameters, settings.mirror);
     // What it leaves out may be a pose: among interpretations it counts no more than the map it is preferred to.
     mirrored.misfit = planes.front().is_of_part ? estimate.misfit : mirrored.misfit;
+    if (lists_others && is_whole && estimate.confidence >= in_doubt &&
+        !compareWithPlane(sampled, contenders.front().samples, planes.front(), settings.mirror).contradicts) {
+      // The search has found the same, and knows others than planes.
+      mirrored.alternatives.clear();
+      mirrored.rotations.clear();
+      deliverAlternatives(sampled, refinement, judge, contenders.front(), candidates, settings.search,
+                          static_cast<std::size_t>(parameters.alternatives), mirrored);
+      mirrored.alternatives.front().partners = mirrored.partners;
+    }
     return mirrored;
   }
   if (contenders.empty()) {
@@ -119,7 +134,7 @@ estimateRobust(const PreparedSurface& surface,
   // Deliver: from the samples to all points, also where the map is refused: other interpretations may speak for it.
   timer.start("dense", 0.8);
   deliverMap(sampled, contenders.front().samples, estimate);
-  if (parameters.alternatives > 1 && !parameters.sparse_only) {
+  if (lists_others) {
     deliverAlternatives(sampled, refinement, judge, contenders.front(), candidates, settings.search,
                         static_cast<std::size_t>(parameters.alternatives), estimate);
   }
