@@ -40,9 +40,8 @@ carriesAll(const MirrorFit& fit, const SampledSurface& sampled, const MirrorSett
 /** \brief How a map of the samples that was found otherwise compares with that of a plane. */
 struct PlaneComparison {
   bool contradicts = false; ///< what the plane carries onto the surface goes elsewhere
-  /** What the plane carries onto the surface the map moves more than twice as far, on average: the plane exchanges the faces
-   * of a sheet, or front and back. By hand: three times and more of dolls and pliers, 1.4 of vehicles that a search maps
-   * front to back. */
+  /** What the plane carries onto the surface the map moves much farther, on average: the plane exchanges the faces of a
+   * sheet, or front and back. */
   bool moves_farther = false;
   bool exchanges = false; ///< most of the rest has a counterpart: it changes places, as the limbs of a posed body do
 };
