@@ -49,7 +49,8 @@ explainsMore(const MirrorFit& plane,
     return is_in_doubt || (map.contradicts ? !map.moves_farther : carriesAll(plane, sampled, settings));
   }
   const bool explains_rest = !map.contradicts && map.exchanges;
-  const bool is_certain = sampled.surface.part_of.empty() && estimate.trust >= plane.share;
+  const bool is_certain = sampled.surface.part_of.empty() && estimate.trust >= plane.share &&
+                          (!map.contradicts || map.moves_farther);
   return !explains_rest && !is_certain;
 }
 
