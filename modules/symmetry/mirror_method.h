@@ -43,6 +43,7 @@ struct PlaneComparison {
   /** What the plane carries onto the surface the map moves much farther, on average: the plane exchanges the faces of a
    * sheet, or front and back. */
   bool moves_farther = false;
+  bool crosses = false;   ///< some of the rest goes to what else the plane leaves out, on its other side
   bool exchanges = false; ///< most of the rest has a counterpart: it changes places, as the limbs of a posed body do
 };
 

@@ -123,6 +123,19 @@ TEST(OddParts, ACloudOfATruckIsMirroredHoweverCertainAMapIs)
   EXPECT_LT(wrongPartners(cloud, result, cloud.size(), 0.05F), cloud.size() / 100);
 }
 
+/** The plane carries more than 95 % of it, and the search is sure of the same map, and sends the box into itself. */
+TEST(OddParts, ASmallBoxOnATruckIsOne)
+{
+  Surface truck = truckOfBoxes();
+  addBox(truck, {0.1F, 0.6F, 0.35F}, {0.3F, 0.8F, 0.55F});
+  const Surface cloud = scattered(truck, 8000);
+  const SymmetryResult result = estimateIntrinsicSymmetry(cloud);
+  ASSERT_EQ(result.status, SymmetryStatus::PartlySymmetric) << result.confidence;
+  EXPECT_GT(result.confidence, 0.95F);
+  ASSERT_FALSE(result.unsupported.empty());
+  EXPECT_LT(distance(cloud.points[static_cast<std::size_t>(result.unsupported[0].extreme)], {0.2F, 0.7F, 0.5F}), 0.2F);
+}
+
 /** Where the search finds the same, the plane is the more precise one. */
 TEST(OddParts, ACloudOfAChairIsMirroredExactly)
 {

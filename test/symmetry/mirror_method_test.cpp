@@ -159,6 +159,7 @@ TEST_F(PosedBars, AreExchangedByAMapThatAgreesWithThePlaneElsewhere)
                        fit_, {});
   EXPECT_FALSE(compared.contradicts);
   EXPECT_TRUE(compared.exchanges);
+  EXPECT_TRUE(compared.crosses);
 }
 
 TEST_F(PosedBars, AreNotExchangedWhereEachStaysAtItsPlace)
@@ -170,6 +171,7 @@ TEST_F(PosedBars, AreNotExchangedWhereEachStaysAtItsPlace)
                        fit_, {});
   EXPECT_FALSE(compared.contradicts);
   EXPECT_FALSE(compared.exchanges);
+  EXPECT_FALSE(compared.crosses);
 }
 
 /** Each bar changes places with one that lies in the plane and is its own image: they are no pair of limbs. */

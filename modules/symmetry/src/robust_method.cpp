@@ -46,11 +46,11 @@ explainsMore(const MirrorFit& plane,
   const PlaneComparison map = compareWithPlane(sampled, contenders.front().samples, plane, settings);
   if (!plane.is_of_part) {
     const bool is_in_doubt = estimate.confidence < std::min(plane.share, in_doubt);
-    return is_in_doubt || (map.contradicts ? !map.moves_farther : carriesAll(plane, sampled, settings));
+    return is_in_doubt || (map.contradicts ? !map.moves_farther : !map.crosses || carriesAll(plane, sampled, settings));
   }
   const bool explains_rest = !map.contradicts && map.exchanges;
   const bool is_certain = sampled.surface.part_of.empty() && estimate.trust >= plane.share &&
-                          (!map.contradicts || map.moves_farther);
+                          (map.contradicts ? map.moves_farther : map.crosses);
   return !explains_rest && !is_certain;
 }
 
