@@ -25,14 +25,12 @@ tooFewPoints()
 
 /** Whether a mirror plane is more to be trusted than the best map that the search has found.
  *
- * All of a surface hardly lies exactly on itself by chance: where a map sends it elsewhere the plane is right, however
- * certain the map is, and where a map does the same the plane is more precise. But a plier is its own mirror image through
- * its thickness, and a doll front to back, while what people mean is that its limbs change places: what a plane moves much
- * less than a map that is sure does not settle it.
+ * Most of a surface hardly lies exactly on itself by chance: where a map sends it elsewhere the plane is right, however
+ * certain the map is. But a plier is its own mirror image through its thickness, and a doll front to back, while what
+ * people mean is that its limbs change places: a plane that moves the surface much less than a sure map does not count.
  *
- * What a plane leaves out may be a pose: a map that does the same as the plane may explain it, refused or not, and exchange
- * limbs. An odd part is sent into itself, or anywhere. Most of an object in parts hardly lies exactly on itself by chance
- * either; of a body in one part, which may be nearly mirrored front to back besides, the more certain one counts. */
+ * Where a map does the same the plane is more precise. What it leaves out may be a pose, which the map explains, refused or
+ * not: limbs, which go to each other, across the plane. An odd part is sent into itself, or anywhere. */
 bool
 explainsMore(const MirrorFit& plane,
              const SampledSurface& sampled,
