@@ -52,6 +52,46 @@ explainsMore(const MirrorFit& plane,
   return !explains_rest && !is_certain;
 }
 
+bool
+listsOthers(const SymmetryParameters& parameters)
+{
+  return parameters.alternatives > 1 && !parameters.sparse_only;
+}
+
+/** Lists the symmetries that a search has found, that of a contender first: the same as that of a map, which may be more
+ * precise. */
+void
+listOthers(const SampledSurface& sampled,
+           const SampleRefinement& refinement,
+           const Contender& first,
+           const std::vector<SymmetryCandidate>& candidates,
+           const SymmetryParameters& parameters,
+           const RobustSettings& settings,
+           MapEstimate& map)
+{
+  map.alternatives.clear();
+  map.rotations.clear();
+  deliverAlternatives(sampled, refinement, MapJudge(sampled), first, candidates, settings.search,
+                      static_cast<std::size_t>(parameters.alternatives), map);
+  map.alternatives.front().partners = map.partners;
+}
+
+/** Maps that differ from the best one in where two limbs go, and come as close as contenders must. */
+std::vector<SymmetryCandidate>
+promisingExchanges(const SampledSurface& sampled,
+                   const Contender& best,
+                   const std::vector<SymmetryCandidate>& candidates,
+                   const RobustSettings& settings)
+{
+  std::vector<SymmetryCandidate> exchanged =
+      exchangeLimbs(sampled, best.samples.landmark_map, settings.search, settings.exchange);
+  const float worst = candidates.front().score.value + settings.contender_margin;
+  exchanged.erase(std::remove_if(exchanged.begin(), exchanged.end(),
+                                 [worst](const SymmetryCandidate& c) { return c.score.value > worst; }),
+                  exchanged.end());
+  return exchanged;
+}
+
 } // namespace
 
 MapEstimate
@@ -94,20 +134,14 @@ estimateRobust(const PreparedSurface& surface,
   // Judge: which of them fits best, and whether it is a symmetry at all.
   const MapJudge judge(sampled);
   MapEstimate estimate = judge.verdict(contenders);
-  const bool lists_others = parameters.alternatives > 1 && !parameters.sparse_only;
   if (!planes.empty() && explainsMore(planes.front(), sampled, contenders, estimate, settings.mirror)) {
     timer.start("dense", 0.8);
     MapEstimate mirrored = estimateByMirror(sampled, planes, parameters, settings.mirror);
     // What it leaves out may be a pose: among interpretations it counts no more than the map it is preferred to.
     mirrored.misfit = planes.front().is_of_part ? estimate.misfit : mirrored.misfit;
-    if (lists_others && is_whole && estimate.confidence >= in_doubt &&
+    if (is_whole && estimate.confidence >= in_doubt && listsOthers(parameters) &&
         !compareWithPlane(sampled, contenders.front().samples, planes.front(), settings.mirror).contradicts) {
-      // The search has found the same, and knows others than planes.
-      mirrored.alternatives.clear();
-      mirrored.rotations.clear();
-      deliverAlternatives(sampled, refinement, judge, contenders.front(), candidates, settings.search,
-                          static_cast<std::size_t>(parameters.alternatives), mirrored);
-      mirrored.alternatives.front().partners = mirrored.partners;
+      listOthers(sampled, refinement, contenders.front(), candidates, parameters, settings, mirrored);
     }
     return mirrored;
   }
@@ -117,11 +151,7 @@ estimateRobust(const PreparedSurface& surface,
   // In doubt: is it right but for two limbs? Ends of an object in parts are none.
   std::vector<SymmetryCandidate> exchanged;
   if (estimate.confidence < in_doubt && surface.part_of.empty() && known.empty()) {
-    exchanged = exchangeLimbs(sampled, contenders.front().samples.landmark_map, settings.search, settings.exchange);
-    const float worst = candidates.front().score.value + settings.contender_margin;
-    exchanged.erase(std::remove_if(exchanged.begin(), exchanged.end(),
-                                   [worst](const SymmetryCandidate& c) { return c.score.value > worst; }),
-                    exchanged.end());
+    exchanged = promisingExchanges(sampled, contenders.front(), candidates, settings);
   }
   if (!exchanged.empty()) {
     addContenders(refinement, exchanged, contenders);
@@ -133,9 +163,8 @@ estimateRobust(const PreparedSurface& surface,
   // Deliver: from the samples to all points, also where the map is refused: other interpretations may speak for it.
   timer.start("dense", 0.8);
   deliverMap(sampled, contenders.front().samples, estimate);
-  if (lists_others) {
-    deliverAlternatives(sampled, refinement, judge, contenders.front(), candidates, settings.search,
-                        static_cast<std::size_t>(parameters.alternatives), estimate);
+  if (listsOthers(parameters)) {
+    listOthers(sampled, refinement, contenders.front(), candidates, parameters, settings, estimate);
   }
   return estimate;
 }
