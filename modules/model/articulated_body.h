@@ -15,16 +15,19 @@ namespace symmetry {
 
 /** \brief What is grown. */
 enum class Body {
-  Human,      ///< head with nose and ears, mitten hands, feet
-  Quadruped,  ///< four-legged, with muzzle, ears and tail
-  Spider,     ///< eight-legged
-  Bird,       ///< wings, tail, beak and two legs
-  MissingArm, ///< human without the left arm: no symmetry, as all below
-  ThirdArm,   ///< human with a third arm
-  MissingLeg, ///< four-legged without the left foreleg
-  Hand,       ///< five fingers
-  Helix,      ///< a coiled tube that grows towards one end, with bumps
-  Terrain     ///< a patch of random hills with a boundary
+  Human,        ///< head with nose and ears, mitten hands, feet
+  Quadruped,    ///< four-legged, with muzzle, ears and tail
+  Spider,       ///< eight-legged
+  Bird,         ///< wings, tail, beak and two legs
+  MissingArm,   ///< human without the left arm: no symmetry, as all below
+  ThirdArm,     ///< human with a third arm
+  MissingLeg,   ///< four-legged without the left foreleg
+  Hand,         ///< five fingers
+  Helix,        ///< a coiled tube that grows towards one end, with bumps
+  Terrain,      ///< a patch of random hills with a boundary
+  Creature,     ///< as the seed has it: trunk, two to four pairs of limbs, head, tail; its own mirror image
+  LameCreature, ///< the creature of the same seed without one of its left limbs
+  AskewCreature ///< a creature whose limbs are other ones on either side
 };
 
 /** \brief Every body, in the order of the enumeration. */
@@ -52,7 +55,7 @@ struct ModelParameters {
   /** Strength of the pose: 0 is the rest pose, which is exactly mirror symmetric, 1 draws every angle from the whole
    * range of its joint; [0, 1.5]. */
   double bend = 1.0;
-  /** Of the pose, the re-triangulation, the jitter and the hills. */
+  /** Of the pose, the re-triangulation, the jitter, the hills, and of creatures the whole body. */
   std::uint64_t seed = 1;
   /** Share of the right half's edges that are flipped, where the two triangles allow, so that the triangles of the
    * halves are no mirror image of each other; [0, 1]. */

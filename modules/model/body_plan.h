@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -110,6 +111,9 @@ BodyPlan
 spiderPlan();
 BodyPlan
 birdPlan();
+/** \brief Trunk, two to four pairs of limbs, head and tail of random number, place, length, thickness and joints. */
+BodyPlan
+creaturePlan(std::uint64_t seed);
 ///@}
 
 /** \name Bodies without a symmetry */
@@ -124,6 +128,12 @@ BodyPlan
 handPlan();
 BodyPlan
 helixPlan();
+/** \brief The creature of the same seed without one of its left limbs. */
+BodyPlan
+lameCreaturePlan(std::uint64_t seed);
+/** \brief As a creature, but the limbs of either side are drawn without regard to the other. */
+BodyPlan
+askewCreaturePlan(std::uint64_t seed);
 ///@}
 
 } // namespace symmetry

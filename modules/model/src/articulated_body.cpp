@@ -26,20 +26,31 @@ struct BodyKind {
   Body body;
   const char* name;
   bool symmetric;
-  BodyPlan (*plan)(); ///< null for what has no bones
+  BodyPlan (*plan)(std::uint64_t seed); ///< null for what has no bones
 };
 
-constexpr std::array<BodyKind, 10> kinds = {{
-    {Body::Human, "human", true, humanPlan},
-    {Body::Quadruped, "quadruped", true, quadrupedPlan},
-    {Body::Spider, "spider", true, spiderPlan},
-    {Body::Bird, "bird", true, birdPlan},
-    {Body::MissingArm, "missing-arm", false, missingArmPlan},
-    {Body::ThirdArm, "third-arm", false, thirdArmPlan},
-    {Body::MissingLeg, "missing-leg", false, missingLegPlan},
-    {Body::Hand, "hand", false, handPlan},
-    {Body::Helix, "helix", false, helixPlan},
+/** \brief The plan of a body that is the same for every seed. */
+template <BodyPlan (*plan)()>
+BodyPlan
+drawn(std::uint64_t /*seed*/)
+{
+  return plan();
+}
+
+constexpr std::array<BodyKind, 13> kinds = {{
+    {Body::Human, "human", true, drawn<humanPlan>},
+    {Body::Quadruped, "quadruped", true, drawn<quadrupedPlan>},
+    {Body::Spider, "spider", true, drawn<spiderPlan>},
+    {Body::Bird, "bird", true, drawn<birdPlan>},
+    {Body::MissingArm, "missing-arm", false, drawn<missingArmPlan>},
+    {Body::ThirdArm, "third-arm", false, drawn<thirdArmPlan>},
+    {Body::MissingLeg, "missing-leg", false, drawn<missingLegPlan>},
+    {Body::Hand, "hand", false, drawn<handPlan>},
+    {Body::Helix, "helix", false, drawn<helixPlan>},
     {Body::Terrain, "terrain", false, nullptr},
+    {Body::Creature, "creature", true, creaturePlan},
+    {Body::LameCreature, "lame-creature", false, lameCreaturePlan},
+    {Body::AskewCreature, "askew-creature", false, askewCreaturePlan},
 }};
 
 const BodyKind&
@@ -202,7 +213,7 @@ retriangulateRight(TriangleMesh& mesh,
 Model
 growBody(const BodyKind& kind, const ModelParameters& parameters)
 {
-  const BodyPlan plan = kind.plan();
+  const BodyPlan plan = kind.plan(parameters.seed);
   const ImplicitSurface skin = plan.surface();
   TriangleMesh mesh = meshSkin(skin, plan.detail(), kind.symmetric, parameters);
   RandomNumbers random(parameters.seed);
