@@ -30,10 +30,12 @@ struct MapEstimate {
   float unsupported_share = 0.0F;    ///< of the area: parts without a counterpart, see Support
   float supported_confidence = 0.0F; ///< of the map of the rest; map_confidence where all is supported
   bool is_partial = false;           ///< see MapJudge::judgeSupport ()
-  bool is_by_plane = false;          ///< a mirror image in space, as a whole or but for odd parts
-  float trust = 0.0F;                ///< share of the surface that can be expected to be right under the map
-  std::vector<char> is_unsupported;  ///< per point
-  std::vector<float> support;        ///< per point, as SymmetryResult::support
+  /** Of a refused map: how far it can be trusted on what a closer look leaves supported, see MapJudge::lookCloser (). */
+  float trust_of_part = 0.0F;
+  bool is_by_plane = false;                     ///< a mirror image in space, as a whole or but for odd parts
+  float trust = 0.0F;                           ///< share of the surface that can be expected to be right under the map
+  std::vector<char> is_unsupported;             ///< per point
+  std::vector<float> support;                   ///< per point, as SymmetryResult::support
   std::vector<PointEvidence> landmark_evidence; ///< of the robust method, per landmark
   std::vector<Index> landmark_of;               ///< per point: the landmark around it; empty without them
   std::vector<Index> partners;                  ///< empty where the staged method was asked for sparse matches only

@@ -9,6 +9,7 @@
 #include "symmetry/samples/sampled_surface.h"
 #include "symmetry/search/symmetry_search.h"
 
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -57,8 +58,34 @@ public:
   }
 
 private:
+  /** The parts without a counterpart, and what is left. */
+  struct JudgedSupport {
+    Support support;
+    std::vector<float> changes; ///< local changes, see takeBackSupported ()
+    float confidence = 0.0F;    ///< of the map of the rest
+
+    /** How far the map of the rest can be trusted: less the less is left. */
+    float
+    trust() const
+    {
+      return confidence * (1.0F - support.unsupported_share);
+    }
+
+    bool
+    outweighs(float of_whole) const;
+  };
+
   float
   chooseContender(std::vector<Contender>& contenders, MapEvidence& evidence) const;
+
+  JudgedSupport
+  judgeRest(const Contender& contender,
+            const MapEvidence& evidence,
+            float confidence,
+            const SupportSettings& settings) const;
+
+  std::optional<JudgedSupport>
+  lookCloser(const Contender& contender, const MapEvidence& evidence, float confidence) const;
 
   void
   judgeSupport(const Contender& contender, const MapEvidence& evidence, float confidence, MapEstimate& estimate) const;

@@ -55,7 +55,8 @@ public:
    * By odds see Pooling. By votes its confidence becomes the geometric mean of its own and the mean of all
    * interpretations, in which those that found another map or none count 0: out of many tries at a body without symmetry
    * one may look like some. No symmetry was found if less than 0.25 is left, of a cloud with noise or with points at
-   * random places 0.15. */
+   * random places 0.15. Where nothing is left, but a closer look shows that one of the maps can be trusted on a part of
+   * the surface (MapEstimate::trust_of_part), that one is handed over. */
   Interpretation
   takeBest();
 
@@ -94,9 +95,13 @@ private:
   std::size_t
   bestRival() const;
 
+  void
+  keepPart(const Interpretation& interpretation);
+
   Pooling pooling_;
   std::vector<Rival> rivals_;
-  std::size_t interpretations_ = 0; ///< added so far
+  std::size_t interpretations_ = 0;    ///< added so far
+  std::optional<Interpretation> part_; ///< of refused maps the one whose MapEstimate::trust_of_part is largest
 };
 
 } // namespace symmetry

@@ -24,6 +24,9 @@ struct SupportSettings {
    * counted in squares of the spacing of landmarks. Set after these ratios were printed of 28 surfaces; no set was left
    * out. */
   float outstanding = 1.0F;
+  /** Whether the images of such places, and what is adjacent to them, are suspected, too: where changes are small, those
+   * around the root of an odd limb do not close to a ring by themselves. */
+  bool suspects_images = false;
   /** Share of the diameter within which a part that stands out disturbs: as far as the smallest patches reach. */
   float rim = RefinementSettings{}.patches.back().radius;
 };

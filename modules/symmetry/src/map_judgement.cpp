@@ -3,6 +3,9 @@
 #include "symmetry/confidence/calibration.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 namespace pcl {
 namespace symmetry {
@@ -13,6 +16,14 @@ sortByValue(std::vector<Contender>& contenders)
 {
   std::stable_sort(contenders.begin(), contenders.end(),
                    [](const Contender& a, const Contender& b) { return a.samples.value < b.samples.value; });
+}
+
+/** Whether one of the landmarks with a mark is the end of a limb. */
+bool
+holdsEnd(const LandmarkSurface& landmarks, const std::vector<char>& marks)
+{
+  const std::vector<Index> ends = extremitiesOf(landmarks, limb_separation, most_limbs);
+  return std::any_of(ends.begin(), ends.end(), [&marks](Index end) { return marks[end] != 0; });
 }
 
 } // namespace
@@ -83,37 +94,78 @@ MapJudge::chooseContender(std::vector<Contender>& contenders, MapEvidence& evide
   return trusted;
 }
 
-/** Which parts have no counterpart, and how far the map of the rest can be trusted.
+/** Whether what is left is more to be trusted than the whole.
  *
- * They are left out where that raises the odds of the map tenfold: strong evidence (H. Jeffreys, Theory of
+ * A part is left out where that raises the odds of the map tenfold: strong evidence (H. Jeffreys, Theory of
  * probability, 1961); and where the rest is more likely right than not. */
+bool
+MapJudge::JudgedSupport::outweighs(float of_whole) const
+{
+  constexpr float strong = 10.0F;
+  constexpr float largest_share = 0.5F; // where more is left out, the rest is not what the surface is
+  const auto odds = [](float p) {
+    return p / std::max(1e-6F, 1.0F - p);
+  };
+  return support.unsupported_share > 0.0F && support.unsupported_share < largest_share &&
+         trust() >= RefusalCalibration{}.partial && odds(confidence) >= strong * odds(of_whole);
+}
+
+MapJudge::JudgedSupport
+MapJudge::judgeRest(const Contender& contender,
+                    const MapEvidence& evidence,
+                    float confidence,
+                    const SupportSettings& settings) const
+{
+  JudgedSupport rest{{}, evidence.local_changes, confidence};
+  rest.support = findSupport(sampled_, contender.samples, rest.changes, settings);
+  if (rest.support.unsupported_share > 0.0F) {
+    // What was disturbed by an odd part does not count as evidence, but has a counterpart.
+    rest.support = takeBackSupported(sampled_, contender.samples, rest.support, settings, rest.changes);
+    rest.confidence = mapConfidence(
+        gatherSupportedEvidence(sampled_, *contender.candidate, contender.samples, rest.support, evidence));
+  }
+  return rest;
+}
+
+/** Where a map is refused as a whole and nothing changes by much, what makes it look wrong lies where less changes: looks
+ * there in two steps, down to half of what is looked for otherwise. There a patch or a band around the trunk may be what
+ * the map tears itself; what has no counterpart sticks out. */
+std::optional<MapJudge::JudgedSupport>
+MapJudge::lookCloser(const Contender& contender, const MapEvidence& evidence, float confidence) const
+{
+  SupportSettings settings;
+  settings.suspects_images = true;
+  const float least = 0.49F * settings.change; // a half, but for rounding
+  for (settings.change *= std::sqrt(0.5F); settings.change > least; settings.change *= std::sqrt(0.5F)) {
+    JudgedSupport rest = judgeRest(contender, evidence, confidence, settings);
+    if (rest.outweighs(confidence) && holdsEnd(sampled_.landmarks, rest.support.is_unsupported)) {
+      return rest;
+    }
+  }
+  return std::nullopt;
+}
+
+/** Which parts have no counterpart, and how far the map of the rest can be trusted. */
 void
 MapJudge::judgeSupport(const Contender& contender,
                        const MapEvidence& evidence,
                        float confidence,
                        MapEstimate& estimate) const
 {
-  constexpr float strong = 10.0F;
-  constexpr float largest_share = 0.5F; // where more is left out, the rest is not what the surface is
   const SupportSettings settings;
-  std::vector<float> changes = evidence.local_changes;
-  Support support = findSupport(sampled_, contender.samples, changes, settings);
-  estimate.supported_confidence = confidence;
-  if (support.unsupported_share > 0.0F) {
-    // What was disturbed by an odd part does not count as evidence, but has a counterpart.
-    support = takeBackSupported(sampled_, contender.samples, support, settings, changes);
-    estimate.supported_confidence =
-        mapConfidence(gatherSupportedEvidence(sampled_, *contender.candidate, contender.samples, support, evidence));
+  JudgedSupport rest = judgeRest(contender, evidence, confidence, settings);
+  estimate.is_partial = rest.outweighs(confidence);
+  estimate.trust = estimate.is_partial ? rest.trust() : confidence;
+  if (!estimate.is_partial && confidence < RefusalCalibration{}.one_interpretation) {
+    if (std::optional<JudgedSupport> closer = lookCloser(contender, evidence, confidence)) {
+      rest = std::move(*closer);
+      estimate.trust_of_part = rest.trust();
+    }
   }
+  const Support& support = rest.support;
+  const std::vector<float>& changes = rest.changes;
+  estimate.supported_confidence = rest.confidence;
   estimate.unsupported_share = support.unsupported_share;
-  const auto odds = [](float p) {
-    return p / std::max(1e-6F, 1.0F - p);
-  };
-  const float of_rest = estimate.supported_confidence * (1.0F - support.unsupported_share);
-  estimate.is_partial = support.unsupported_share > 0.0F && support.unsupported_share < largest_share &&
-                        of_rest >= RefusalCalibration{}.partial &&
-                        odds(estimate.supported_confidence) >= strong * odds(confidence);
-  estimate.trust = estimate.is_partial ? of_rest : confidence;
   estimate.measures.emplace_back("unsupported_share", estimate.unsupported_share);
   estimate.measures.emplace_back("supported_confidence", estimate.supported_confidence);
   estimate.landmark_evidence = pointEvidence(sampled_, contender.samples, changes);

@@ -83,6 +83,7 @@ void
 RivalInterpretations::add(Interpretation interpretation)
 {
   ++interpretations_;
+  keepPart(interpretation);
   const MapEstimate& estimate = interpretation.estimate;
   const bool by_odds = pooling_ == Pooling::Odds;
   const bool has_vote = by_odds || estimate.is_partial || estimate.status == SymmetryStatus::Symmetric;
@@ -184,7 +185,21 @@ RivalInterpretations::takeBest()
     giveVerdict(interpretation, std::sqrt(agreement * kind.trust),
                 "hardly any way to read the points shows a symmetry");
   }
+  if (interpretation.estimate.status == SymmetryStatus::NoSymmetry && part_) {
+    interpretation = std::move(*part_);
+    interpretation.estimate.is_partial = true;
+    giveVerdict(interpretation, interpretation.estimate.trust_of_part, "");
+  }
   return interpretation;
+}
+
+void
+RivalInterpretations::keepPart(const Interpretation& interpretation)
+{
+  const float trust = interpretation.estimate.trust_of_part;
+  if (trust > (part_ ? part_->estimate.trust_of_part : 0.0F)) {
+    part_ = interpretation;
+  }
 }
 
 /** How much speaks for the map of a rival. */

@@ -181,10 +181,29 @@ exchangedOf(const std::vector<char>& marks, const LandmarkSurface& landmarks, co
   return exchanged;
 }
 
+/** Marks the images of what has a mark, what has its image there, and what is adjacent to these images. */
+void
+markImages(const std::vector<std::vector<Index>>& adjacent, const SampleMap& map, std::vector<char>& marks)
+{
+  const std::vector<char> before = marks;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (before[i] != 0) {
+      marks[map[i]] = 1;
+      for (const Index j : adjacent[map[i]]) {
+        marks[j] = 1;
+      }
+    }
+    marks[i] = static_cast<char>(marks[i] != 0 || before[map[i]] != 0);
+  }
+}
+
 /** Marks the groups, apart from the largest, that the map mostly sends into themselves or to what has a mark. */
 void
 markCutOff(const Groups& rest, const std::vector<float>& areas, const SampleMap& map, std::vector<char>& marks)
 {
+  if (std::none_of(marks.begin(), marks.end(), [](char mark) { return mark != 0; })) {
+    return;
+  }
   const auto bulk = static_cast<Index>(std::max_element(rest.areas.begin(), rest.areas.end()) - rest.areas.begin());
   std::vector<float> kept(map.size(), 0.0F);
   for (std::size_t i = 0; i < map.size(); ++i) {
@@ -219,9 +238,8 @@ findSupport(const SampledSurface& sampled,
   std::transform(change.begin(), change.end(), marks.begin(),
                  [&](float c) { return static_cast<char>(c > settings.change); });
   dropSmallGroups(adjacent, areas, settings.least_area, marks);
-  support.is_disturbed = std::vector<char>(marks.size(), 0);
-  if (std::none_of(marks.begin(), marks.end(), [](char mark) { return mark != 0; })) {
-    return support;
+  if (settings.suspects_images) {
+    markImages(adjacent, samples.landmark_map, marks);
   }
   markCutOff(groupsOf(adjacent, areas, marks, 0), areas, samples.landmark_map, marks);
   support.unsupported_share = markedArea(marks, areas);
@@ -267,6 +285,7 @@ takeBackSupported(const SampledSurface& sampled,
   } while (!joining.empty());
   const std::vector<float> areas = landmarkAreas(sampled);
   dropSmallGroups(adjacent, areas, settings.least_area, marks);
+  markCutOff(groupsOf(adjacent, areas, marks, 0), areas, samples.landmark_map, marks); // what lies beyond what is left
   result.unsupported_share = markedArea(marks, areas);
   disturbRims(sampled.landmarks, groupsOf(adjacent, areas, marks, 1), settings, result.is_disturbed);
   return result;
