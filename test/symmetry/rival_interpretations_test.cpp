@@ -283,6 +283,40 @@ TEST(RivalsByOdds, WhatIsDoubtfulThroughoutIsNoSymmetry)
   EXPECT_LT(best.estimate.confidence, 0.1F);
 }
 
+/** A refused map of which a closer look shows that it can be trusted on a part. */
+Interpretation
+trustedInPart(Index first, float trust)
+{
+  Interpretation interpretation = mapOf(first, 0.05F);
+  interpretation.estimate.status = SymmetryStatus::NoSymmetry;
+  interpretation.estimate.is_unsupported.assign(number, 0);
+  interpretation.estimate.trust_of_part = trust;
+  return interpretation;
+}
+
+TEST(RivalsByOdds, OfWhatIsRefusedTheMapOfAPartIsTakenThatIsTrustedMost)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(trustedInPart(0, 0.6F));
+  rivals.add(trustedInPart(100, 0.8F));
+  rivals.add(trustedInPart(50, 0.7F));
+  EXPECT_FALSE(rivals.isSettled());
+  const Interpretation best = rivals.takeBest();
+  EXPECT_EQ(best.estimate.status, SymmetryStatus::PartlySymmetric);
+  EXPECT_EQ(best.estimate.confidence, 0.8F);
+  EXPECT_EQ(best.estimate.partners[0], 100U);
+}
+
+TEST(RivalsByOdds, AMapOfTheWholeIsBetterThanOneThatOnlyACloserLookShows)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(trustedInPart(100, 0.9F));
+  rivals.add(mapOf(0, 0.5F));
+  const Interpretation best = rivals.takeBest();
+  EXPECT_EQ(best.estimate.status, SymmetryStatus::Symmetric);
+  EXPECT_EQ(best.estimate.partners[0], 0U);
+}
+
 TEST(RivalsByOdds, APartialMapIsTakenButSettlesNothing)
 {
   RivalInterpretations rivals(Pooling::Odds);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 using namespace pcl::symmetry;
@@ -125,6 +126,63 @@ TEST(FindSupport, TakesInWhatIsCutOffAndMirroredInItself)
   // The same ring around a limb that has a counterpart takes in nothing but itself.
   estimate.landmark_map = body.trueMap();
   EXPECT_EQ(findSupport(body.sampled(), estimate, change).is_unsupported[extremity], 0);
+}
+
+TEST(FindSupport, ARingIsClosedByTheImagesOfItsOneSide)
+{
+  const CoarseBody& body = human();
+  const Index extremity = body.landmarks.extremities.front();
+  const std::vector<char> inner = around(body, extremity, 0.14F);
+  const std::vector<char> outer = around(body, extremity, 0.32F);
+  SampleEstimate estimate = estimateOf(body);
+  std::vector<float> change(body.landmarks.size(), 0.1F);
+  const Vector3& tip = body.coarse.points[extremity];
+  for (std::size_t i = 0; i < change.size(); ++i) {
+    if (outer[i] == 0) {
+      continue;
+    }
+    // A limb mirrored in itself, from front to back: distances change on its front alone.
+    const Vector3& p = body.coarse.points[i];
+    Index image = static_cast<Index>(i);
+    float nearest = 1e9F;
+    for (std::size_t j = 0; j < change.size(); ++j) {
+      const Vector3& q = body.coarse.points[j];
+      const float d = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - (2.0F * tip[2] - p[2]));
+      if (outer[j] != 0 && d < nearest) {
+        nearest = d;
+        image = static_cast<Index>(j);
+      }
+    }
+    estimate.landmark_map[i] = image;
+    change[i] = inner[i] == 0 && p[2] > tip[2] ? 1.0F : 0.1F;
+  }
+  SupportSettings closer;
+  closer.suspects_images = true;
+  EXPECT_EQ(findSupport(body.sampled(), estimate, change).is_unsupported[extremity], 0) << "half of a ring";
+  EXPECT_EQ(findSupport(body.sampled(), estimate, change, closer).is_unsupported[extremity], 1);
+}
+
+TEST(TakeBackSupported, WhatLiesBeyondWhatIsLeftOutAndIsMirroredInItselfIsLeftOut)
+{
+  const CoarseBody& body = human();
+  const Index extremity = body.landmarks.extremities.front();
+  const std::vector<char> hand = around(body, extremity, 0.1F);
+  const std::vector<char> limb = around(body, extremity, 0.25F);
+  SampleEstimate estimate = estimateOf(body);
+  Support support;
+  support.is_unsupported.resize(limb.size(), 0);
+  for (std::size_t i = 0; i < limb.size(); ++i) {
+    support.is_unsupported[i] = static_cast<char>(limb[i] != 0 && hand[i] == 0);
+    if (limb[i] != 0) {
+      estimate.landmark_map[i] = static_cast<Index>(i);
+      estimate.partners[i] = body.coarse.cells.vertices[i];
+    }
+  }
+  support.is_disturbed = support.is_unsupported;
+  std::vector<float> changes(limb.size(), 1.0F);
+  SupportSettings settings;
+  settings.change = 0.0F; // nothing joins by its distances
+  EXPECT_EQ(takeBackSupported(body.sampled(), estimate, support, settings, changes).is_unsupported[extremity], 1);
 }
 
 TEST(TakeBackSupported, WhatChangesOnlyRelativeToAnOddPartHasACounterpart)
