@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 using namespace pcl::symmetry;
@@ -128,38 +129,56 @@ TEST(FindSupport, TakesInWhatIsCutOffAndMirroredInItself)
   EXPECT_EQ(findSupport(body.sampled(), estimate, change).is_unsupported[extremity], 0);
 }
 
+/** The place in the ring around a tip that lies opposite: as far from the tip, and as far from one end of a diameter of the
+ * ring as the landmark is from the other. */
+Index
+oppositeOf(const CoarseBody& body, Index landmark, Index tip, Index one_end, Index other_end)
+{
+  const Eigen::MatrixXf& d = body.landmarks.distances;
+  Index opposite = landmark;
+  float best = std::numeric_limits<float>::max();
+  for (Eigen::Index j = 0; j < d.cols(); ++j) {
+    const float mismatch = std::abs(d(j, tip) - d(landmark, tip)) + std::abs(d(j, other_end) - d(landmark, one_end)) +
+                           std::abs(d(j, one_end) - d(landmark, other_end));
+    if (mismatch < best) {
+      best = mismatch;
+      opposite = static_cast<Index>(j);
+    }
+  }
+  return opposite;
+}
+
 TEST(FindSupport, ARingIsClosedByTheImagesOfItsOneSide)
 {
   const CoarseBody& body = human();
-  const Index extremity = body.landmarks.extremities.front();
-  const std::vector<char> inner = around(body, extremity, 0.14F);
-  const std::vector<char> outer = around(body, extremity, 0.32F);
+  const Eigen::MatrixXf& d = body.landmarks.distances;
+  const Index tip = body.landmarks.extremities.front();
+  const std::vector<char> inner = around(body, tip, 0.14F);
+  const std::vector<char> outer = around(body, tip, 0.32F);
+  std::vector<Index> middle; // of the ring: a circle around the limb
+  for (std::size_t i = 0; i < outer.size(); ++i) {
+    if (std::abs(d(static_cast<Eigen::Index>(i), tip) / body.landmarks.diameter - 0.23F) < 0.02F) {
+      middle.push_back(static_cast<Index>(i));
+    }
+  }
+  ASSERT_GT(middle.size(), 3U);
+  const Index one_end = middle.front();
+  const Index other_end =
+      *std::max_element(middle.begin(), middle.end(), [&](Index a, Index b) { return d(a, one_end) < d(b, one_end); });
+  // A limb mirrored in itself, one side going to the other: distances change on one side alone.
   SampleEstimate estimate = estimateOf(body);
-  std::vector<float> change(body.landmarks.size(), 0.1F);
-  const Vector3& tip = body.coarse.points[extremity];
-  for (std::size_t i = 0; i < change.size(); ++i) {
-    if (outer[i] == 0) {
-      continue;
+  std::vector<float> change(outer.size(), 0.1F);
+  for (std::size_t i = 0; i < outer.size(); ++i) {
+    if (outer[i] != 0) {
+      const auto landmark = static_cast<Index>(i);
+      estimate.landmark_map[i] = oppositeOf(body, landmark, tip, one_end, other_end);
+      change[i] = inner[i] == 0 && d(landmark, one_end) < d(landmark, other_end) ? 1.0F : 0.1F;
     }
-    // A limb mirrored in itself, from front to back: distances change on its front alone.
-    const Vector3& p = body.coarse.points[i];
-    Index image = static_cast<Index>(i);
-    float nearest = 1e9F;
-    for (std::size_t j = 0; j < change.size(); ++j) {
-      const Vector3& q = body.coarse.points[j];
-      const float d = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - (2.0F * tip[2] - p[2]));
-      if (outer[j] != 0 && d < nearest) {
-        nearest = d;
-        image = static_cast<Index>(j);
-      }
-    }
-    estimate.landmark_map[i] = image;
-    change[i] = inner[i] == 0 && p[2] > tip[2] ? 1.0F : 0.1F;
   }
   SupportSettings closer;
   closer.suspects_images = true;
-  EXPECT_EQ(findSupport(body.sampled(), estimate, change).is_unsupported[extremity], 0) << "half of a ring";
-  EXPECT_EQ(findSupport(body.sampled(), estimate, change, closer).is_unsupported[extremity], 1);
+  EXPECT_EQ(findSupport(body.sampled(), estimate, change).is_unsupported[tip], 0) << "half of a ring";
+  EXPECT_EQ(findSupport(body.sampled(), estimate, change, closer).is_unsupported[tip], 1);
 }
 
 TEST(TakeBackSupported, WhatLiesBeyondWhatIsLeftOutAndIsMirroredInItselfIsLeftOut)
