@@ -26,7 +26,7 @@ struct Bone {
 
 /** \brief A round cone that moves with a bone. */
 struct Flesh {
-  int bone;
+  int bone = -1;
   RoundCone cone;
 };
 

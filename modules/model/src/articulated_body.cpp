@@ -30,11 +30,11 @@ struct BodyKind {
 };
 
 /** \brief The plan of a body that is the same for every seed. */
-template <BodyPlan (*plan)()>
+template <BodyPlan (*Plan)()>
 BodyPlan
 drawn(std::uint64_t /*seed*/)
 {
-  return plan();
+  return Plan();
 }
 
 constexpr std::array<BodyKind, 13> kinds = {{
@@ -91,7 +91,7 @@ sizeField(const ImplicitSurface& skin, double density_ratio)
     return [](const Eigen::Vector3d&) {
       return 1.0;
     };
-  const Eigen::Vector3d low = skin.lowest();
+  const Eigen::Vector3d& low = skin.lowest();
   const Eigen::Vector3d extent = skin.highest() - low;
   const int axis = extent.y() > extent.z() ? 1 : 2; // never x: the halves are to be alike
   const double growth = 0.5 * std::log(density_ratio);
@@ -230,6 +230,7 @@ growBody(const BodyKind& kind, const ModelParameters& parameters)
   }
   if (parameters.bend > 0.0)
     bendBody(plan, pose, mesh.points);
+  model.surface.points.reserve(mesh.points.size());
   for (const Eigen::Vector3d& point : mesh.points)
     model.surface.points.push_back(
         {static_cast<float>(point.x()), static_cast<float>(point.y()), static_cast<float>(point.z())});
@@ -244,6 +245,7 @@ allBodies()
 {
   static const std::vector<Body> bodies = [] {
     std::vector<Body> all;
+    all.reserve(kinds.size());
     for (const BodyKind& kind : kinds)
       all.push_back(kind.body);
     return all;
