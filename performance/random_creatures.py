@@ -19,7 +19,6 @@ import json
 import math
 import os
 import subprocess
-import sys
 import tempfile
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
@@ -28,6 +27,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 KINDS = ("creature", "lame-creature", "askew-creature")
+NO_SYMMETRY = 3  # exit status
 ODD = 0.03  # of the diagonal: what is farther from the mirror image has no partner
 
 
@@ -47,14 +47,15 @@ def radius_of(points, triangles):
 
 
 def run(command):
-    return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode not in (0, NO_SYMMETRY):
+        raise RuntimeError(f"{' '.join(command)}: exit status {done.returncode}: {done.stderr}")
+    return done
 
 
 def make(binaries, path, kind, seed, vertices, *more):
-    made = run([os.path.join(binaries, "pcl_symmetry_model"), path, "--body", kind, "--seed", str(seed), "--vertices",
-                str(vertices), *more])
-    if made.returncode != 0:
-        sys.exit(made.stderr)
+    run([os.path.join(binaries, "pcl_symmetry_model"), path, "--body", kind, "--seed", str(seed), "--vertices",
+         str(vertices), *more])
 
 
 def score(arguments, folder, kind, seed):
@@ -64,8 +65,6 @@ def score(arguments, folder, kind, seed):
     found = run([os.path.join(arguments.bin, "pcl_intrinsic_symmetry"), name + ".off", "--threads", "1", "--map",
                  name + ".csv", "--report", name + ".json", *(["--as-cloud"] if arguments.as_cloud else []),
                  *arguments.options])
-    if found.returncode not in (0, 3):
-        sys.exit(found.stderr)
     with open(name + ".json") as file:
         report = json.load(file)
     result = {"kind": kind, "seed": seed, "status": report["status"], "confidence": report["confidence"],

@@ -15,6 +15,9 @@
 namespace pcl {
 namespace symmetry {
 
+/** \brief One degree, in radians: angles of bones are in degrees. */
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
 /** \brief A bone, which turns about its joint and carries the bones that name it as parent. */
 struct Bone {
   std::string name;

@@ -12,8 +12,8 @@ namespace {
 
 using V = Eigen::Vector3d;
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
-constexpr double limb_room = 0.26; // of the trunk, for a pair of limbs: their roots stay apart
+// Length of the trunk for a pair of limbs: roots of the mean thickness (0.14) stay apart, thicker ones may grow together.
+constexpr double limb_room = 0.26;
 
 /** \brief Where a limb leaves the trunk, and where it goes: \a out of length 1. */
 struct LimbRoot {
@@ -53,7 +53,7 @@ addLimb(BodyPlan& plan, const std::string& name, const LimbRoot& root, bool is_o
   }
 }
 
-/** \brief The trunk along z, from its rear end to its front; where limbs can be rooted on its left, from rear to front. */
+/** \brief The trunk along z, with head and tail or without; where limbs are rooted on its left, from rear to front. */
 std::vector<LimbRoot>
 addTrunk(BodyPlan& plan, std::size_t pairs, RandomNumbers& random)
 {
@@ -144,8 +144,7 @@ askewCreaturePlan(std::uint64_t seed)
   const std::size_t pairs = somePairs(random);
   BodyPlan plan(0.012, 0.025);
   const std::vector<LimbRoot> roots = addTrunk(plan, pairs, random);
-  // A trunk is symmetric by its width alone: that of the right half is given by hand, limbs are drawn anew.
-  plan.mirror();
+  plan.mirror(); // the trunk alone, which has no limbs yet
   for (const bool is_left : {true, false}) {
     for (std::size_t k = 0; k < roots.size(); ++k) {
       const double turn = random.uniform(-30.0, 30.0) * degree;

@@ -10,8 +10,6 @@ namespace {
 
 using V = Eigen::Vector3d;
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
-
 void
 addHumanTrunk(BodyPlan& plan)
 {

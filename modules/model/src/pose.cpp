@@ -11,7 +11,6 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double falloff = 0.2; // of the skin weights, in radii of the flesh
 
 /** \brief A rigid motion p -> rotation * p + translation. */

@@ -128,15 +128,16 @@ MapJudge::judgeRest(const Contender& contender,
 }
 
 /** Where a map is refused as a whole and nothing changes by much, what makes it look wrong lies where less changes: looks
- * there in two steps, down to half of what is looked for otherwise. There a patch or a band around the trunk may be what
+ * there in two steps, down to half of what is looked for otherwise (by hand; see doc/decisions/support.md). There a patch or a band around the trunk may be what
  * the map tears itself; what has no counterpart sticks out. */
 std::optional<MapJudge::JudgedSupport>
 MapJudge::lookCloser(const Contender& contender, const MapEvidence& evidence, float confidence) const
 {
+  constexpr int looks = 2;
   SupportSettings settings;
   settings.suspects_images = true;
-  const float least = 0.49F * settings.change; // a half, but for rounding
-  for (settings.change *= std::sqrt(0.5F); settings.change > least; settings.change *= std::sqrt(0.5F)) {
+  for (int look = 0; look < looks; ++look) {
+    settings.change *= std::sqrt(0.5F);
     JudgedSupport rest = judgeRest(contender, evidence, confidence, settings);
     if (rest.outweighs(confidence) && holdsEnd(sampled_.landmarks, rest.support.is_unsupported)) {
       return rest;

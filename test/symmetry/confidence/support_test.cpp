@@ -39,6 +39,14 @@ estimateOf(const CoarseBody& body)
   return estimate;
 }
 
+/** Sends a landmark, and its sample, to itself. */
+void
+letStandStill(const CoarseBody& body, std::size_t landmark, SampleEstimate& estimate)
+{
+  estimate.landmark_map[landmark] = static_cast<Index>(landmark);
+  estimate.partners[landmark] = body.coarse.cells.vertices[landmark];
+}
+
 /** The landmarks within a geodesic radius (share of the diameter) of one. */
 std::vector<char>
 around(const CoarseBody& body, Index landmark, float radius)
@@ -193,8 +201,7 @@ TEST(TakeBackSupported, WhatLiesBeyondWhatIsLeftOutAndIsMirroredInItselfIsLeftOu
   for (std::size_t i = 0; i < limb.size(); ++i) {
     support.is_unsupported[i] = static_cast<char>(limb[i] != 0 && hand[i] == 0);
     if (limb[i] != 0) {
-      estimate.landmark_map[i] = static_cast<Index>(i);
-      estimate.partners[i] = body.coarse.cells.vertices[i];
+      letStandStill(body, i, estimate);
     }
   }
   support.is_disturbed = support.is_unsupported;
@@ -231,8 +238,7 @@ TEST(TakeBackSupported, ALimbThatIsSentIntoItselfStaysOut)
   SampleEstimate estimate = estimateOf(body);
   for (std::size_t i = 0; i < limb.size(); ++i) {
     if (limb[i] != 0) {
-      estimate.landmark_map[i] = static_cast<Index>(i);
-      estimate.partners[i] = body.coarse.cells.vertices[i];
+      letStandStill(body, i, estimate);
     }
   }
   std::vector<float> changes(body.landmarks.size(), 1.0F);
@@ -269,8 +275,7 @@ TEST(TakeBackSupported, WhatHasAPartnerThatHasNoneStaysOut)
   for (std::size_t i = 0; i < limb.size(); ++i) {
     if (other[i] != 0) { // the other limb is sent into itself
       support.is_unsupported[i] = 1;
-      estimate.landmark_map[i] = static_cast<Index>(i);
-      estimate.partners[i] = body.coarse.cells.vertices[i];
+      letStandStill(body, i, estimate);
     }
   }
   support.is_disturbed = support.is_unsupported;
