@@ -27,6 +27,19 @@ numbersOfKept(const std::vector<char>& keep)
   return numbers;
 }
 
+/** \brief The points to keep, ascending. */
+inline std::vector<Index>
+keptPoints(const std::vector<char>& keep)
+{
+  std::vector<Index> kept;
+  for (std::size_t v = 0; v < keep.size(); ++v) {
+    if (keep[v] != 0) {
+      kept.push_back(static_cast<Index>(v));
+    }
+  }
+  return kept;
+}
+
 /** \brief Replaces every index by its entry in \a numbers; no_index stays. */
 inline void
 renumber(std::vector<Index>& indices, const std::vector<Index>& numbers)

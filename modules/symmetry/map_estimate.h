@@ -34,6 +34,7 @@ struct MapEstimate {
   float trust_of_part = 0.0F;
   bool is_by_plane = false;                     ///< a mirror image in space, as a whole or but for odd parts
   float trust = 0.0F;                           ///< share of the surface that can be expected to be right under the map
+  std::vector<Index> ends;                      ///< of limbs, see LandmarkSurface::extremities
   std::vector<char> is_unsupported;             ///< per point
   std::vector<float> support;                   ///< per point, as SymmetryResult::support
   std::vector<PointEvidence> landmark_evidence; ///< of the robust method, per landmark

@@ -35,6 +35,10 @@ struct RobustSettings {
   std::function<void(const SampledSurface&, const std::vector<Contender>&)> observer;
 };
 
+/** \brief The defaults with as many samples as are asked for, or a share of them, but no fewer than minimum_samples. */
+RobustSettings
+robustSettings(const SymmetryParameters& parameters, float samples = 1.0F);
+
 /** \brief Finds the symmetric map of any connected surface.
  *
  * Status TooFewPoints below 60 points, NoSymmetry where no candidate explains the surface as a reflection.

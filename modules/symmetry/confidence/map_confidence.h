@@ -18,6 +18,9 @@ namespace symmetry {
  * is one, is more certain. Chosen by hand with all sets of the benchmark at hand. */
 constexpr float in_doubt = 0.75F;
 
+/** \brief Confidence from which on no other explanation is looked for. By hand. */
+constexpr float beyond_doubt = 0.9F;
+
 /** \brief How likely a map is by its score alone: a logistic function of it, in [0, 1]. */
 float
 scoreConfidence(const MapScore& score);
@@ -62,6 +65,11 @@ weightOfHoles(float at_holes);
  * lead back one has a wrong partner at least. So no more than 1 - torn and (1 + involution) / 2 of it can be right. */
 float
 confidenceBound(const MapSummary& map);
+
+/** \brief Whether one confidence has ten times the odds of another: strong evidence (H. Jeffreys, Theory of probability,
+ * 1961). */
+bool
+isStrongEvidence(float confidence, float than);
 
 /** \brief Share of the confidence that is left to a map that is not handed out: what spoke against it counts as well.
  */

@@ -94,20 +94,14 @@ MapJudge::chooseContender(std::vector<Contender>& contenders, MapEvidence& evide
   return trusted;
 }
 
-/** Whether what is left is more to be trusted than the whole.
- *
- * A part is left out where that raises the odds of the map tenfold: strong evidence (H. Jeffreys, Theory of
- * probability, 1961); and where the rest is more likely right than not. */
+/** Whether what is left is more to be trusted than the whole: a part is left out where that is strong evidence for the
+ * map, and where the rest is more likely right than not. */
 bool
 MapJudge::JudgedSupport::outweighs(float of_whole) const
 {
-  constexpr float strong = 10.0F;
   constexpr float largest_share = 0.5F; // where more is left out, the rest is not what the surface is
-  const auto odds = [](float p) {
-    return p / std::max(1e-6F, 1.0F - p);
-  };
   return support.unsupported_share > 0.0F && support.unsupported_share < largest_share &&
-         trust() >= RefusalCalibration{}.partial && odds(confidence) >= strong * odds(of_whole);
+         trust() >= RefusalCalibration{}.partial && isStrongEvidence(confidence, of_whole);
 }
 
 MapJudge::JudgedSupport
@@ -194,6 +188,9 @@ MapJudge::verdict(std::vector<Contender>& contenders) const
     return estimate;
   }
   estimate.known_holes = knownHoles();
+  for (const Index end : extremitiesOf(sampled_.landmarks, limb_separation, most_limbs)) {
+    estimate.ends.push_back(sampled_.coarse.cells.vertices[end]);
+  }
   MapEvidence evidence;
   const float confidence = chooseContender(contenders, evidence);
   estimate.measures = namedMeasures(evidence);

@@ -8,6 +8,7 @@
 #include "symmetry/confidence/point_confidence.h"
 #include "symmetry/confidence/unsupported_parts.h"
 #include "symmetry/interpretations.h"
+#include "symmetry/odd_limb.h"
 #include "symmetry/result_delivery.h"
 #include "symmetry/robust_method.h"
 #include "symmetry/sides/map_quality.h"
@@ -33,10 +34,7 @@ estimateMap(const PreparedSurface& prepared,
   if (parameters.method == Method::Staged) {
     return estimateStaged(prepared, parameters, timer);
   }
-  RobustSettings settings;
-  const auto usual = static_cast<float>(parameters.robust.samples);
-  settings.sampling.samples = std::max(minimum_samples, static_cast<std::size_t>(std::lround(samples * usual)));
-  return estimateRobust(prepared, parameters, settings, timer, known);
+  return estimateRobust(prepared, parameters, robustSettings(parameters, samples), timer, known);
 }
 
 /** Share of the points below which a part of the object is missing. */
@@ -206,6 +204,11 @@ interpretSurface(const Surface& surface,
     timer.start("graph", 0.0);
   }
   Interpretation best = rivals.takeBest();
+  if (parameters.method == Method::Robust) {
+    if (std::optional<Interpretation> rest = mapWithoutOddLimb(best, parameters, timer)) {
+      best = std::move(*rest);
+    }
+  }
   const float share = shareUsed(best.surface.summary, parameters.components);
   if (as_it_stands && (best.estimate.status != SymmetryStatus::Symmetric || best.estimate.confidence < in_doubt ||
                        share < nearly_all)) {

@@ -128,9 +128,9 @@ RivalInterpretations::isSettled() const
   if (pooling_ == Pooling::Odds) {
     return shareOfOdds(best) >= in_doubt;
   }
-  constexpr float beyond_doubt = 0.9F;  // this and the next two by hand
-  constexpr float sure_together = 2.0F; // three interpretations that agree, each sure enough alone
-  constexpr float usually = 0.6F;       // of all interpretations so far
+  constexpr float sure_together =
+      2.0F;                       // by hand, as the next: three interpretations that agree, each sure enough alone
+  constexpr float usually = 0.6F; // of all interpretations so far
   float contradicting = 0.0F;
   for (std::size_t i = 0; i < rivals_.size(); ++i) {
     contradicting += i == best ? 0.0F : evidenceOf(rivals_[i]);

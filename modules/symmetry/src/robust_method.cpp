@@ -5,6 +5,7 @@
 #include "symmetry/search/given_maps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace pcl {
@@ -93,6 +94,15 @@ promisingExchanges(const SampledSurface& sampled,
 }
 
 } // namespace
+
+RobustSettings
+robustSettings(const SymmetryParameters& parameters, float samples)
+{
+  RobustSettings settings;
+  const auto usual = static_cast<float>(parameters.robust.samples);
+  settings.sampling.samples = std::max(minimum_samples, static_cast<std::size_t>(std::lround(samples * usual)));
+  return settings;
+}
 
 MapEstimate
 estimateRobust(const PreparedSurface& surface,

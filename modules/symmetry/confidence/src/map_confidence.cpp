@@ -117,5 +117,15 @@ bestTrustedMap(const std::vector<RatedMap>& maps, float least)
   return {0, maps[0].confidence};
 }
 
+bool
+isStrongEvidence(float confidence, float than)
+{
+  constexpr float strong = 10.0F;
+  const auto odds = [](float p) {
+    return p / std::max(1e-6F, 1.0F - p);
+  };
+  return odds(confidence) >= strong * odds(than);
+}
+
 } // namespace symmetry
 } // namespace pcl

@@ -1,8 +1,8 @@
 #include "symmetry/confidence/unsupported_parts.h"
 
 #include "base/union_find.h"
-#include "base/vector_math.h"
 #include "geodesic/shortest_paths.h"
+#include "symmetry/surface/point_areas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,21 +10,6 @@
 namespace pcl {
 namespace symmetry {
 namespace {
-
-/** A third of the area of the triangles around every point; all alike where there are no triangles. */
-std::vector<float>
-pointAreas(const PreparedSurface& surface)
-{
-  std::vector<float> areas(surface.size(), surface.triangles.empty() ? 1.0F : 0.0F);
-  for (const Triangle& t : surface.triangles) {
-    const Vector3& a = surface.points[t[0]];
-    const float area = norm(cross(surface.points[t[1]] - a, surface.points[t[2]] - a)) / 6.0F;
-    for (const Index v : t) {
-      areas[v] += area;
-    }
-  }
-  return areas;
-}
 
 /** Connected groups of the points with a mark. */
 UnionFind

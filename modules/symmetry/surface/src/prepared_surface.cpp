@@ -11,12 +11,7 @@ void
 keepPoints(PreparedSurface& surface, const std::vector<char>& keep)
 {
   const std::vector<Index> numbers = numbersOfKept(keep);
-  std::vector<Index> kept;
-  for (std::size_t v = 0; v < surface.size(); ++v) {
-    if (keep[v] != 0) {
-      kept.push_back(static_cast<Index>(v));
-    }
-  }
+  const std::vector<Index> kept = keptPoints(keep);
   keepEntries(surface.points, kept);
   keepEntries(surface.original, kept);
   if (!surface.normals.empty()) {

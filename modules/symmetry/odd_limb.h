@@ -1,0 +1,34 @@
+/** \file
+ * \brief A body with a limb that has no counterpart, understood without that limb.
+ */
+#pragma once
+
+#include "symmetry/interpretation_maps.h"
+#include "symmetry/step_timer.h"
+
+#include <pcl/symmetry/symmetry_parameters.h>
+
+#include <optional>
+
+namespace pcl {
+namespace symmetry {
+
+/** \brief Looks for a limb without which the surface is symmetric, where its map is refused, partial or in doubt.
+ *
+ * A limb that has no counterpart spoils the map of all the rest: hypotheses pair it with something, distances and
+ * eigenfunctions around its root are none of the other side. So one limb after another is cut off, and the rest is searched
+ * anew, with the map of the whole among the hypotheses. The limb is odd where
+ * - the rest is symmetric as a whole,
+ * - its map sends the place where the limb was rooted elsewhere: a head has its counterpart in itself,
+ * - it fits better than the map of the whole (MapEstimate::misfit), and it can be trusted, the more the more it
+ *   contradicts: a whole map that was not refused must be outweighed tenfold, as for other parts without a counterpart.
+ *
+ * Of several such limbs the one is taken whose rest fits best; the search ends where that is beyond doubt.
+ * Cost: one search for each limb.
+ * \param[in] best interpretation of the surface so far, with the verdict
+ * \return the partial map; none where no limb is odd */
+std::optional<Interpretation>
+mapWithoutOddLimb(const Interpretation& best, const SymmetryParameters& parameters, StepTimer& timer);
+
+} // namespace symmetry
+} // namespace pcl

@@ -1,0 +1,175 @@
+#include "symmetry/odd_limb.h"
+
+#include "base/renumbering.h"
+#include "base/statistics.h"
+#include "symmetry/confidence/calibration.h"
+#include "symmetry/confidence/map_confidence.h"
+#include "symmetry/robust_method.h"
+#include "symmetry/surface/limb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace symmetry {
+namespace {
+
+/** Whether something is left to be explained, and ends tell where limbs are: those of an object in parts do not. */
+bool
+isWorthALook(const Interpretation& best)
+{
+  const MapEstimate& estimate = best.estimate;
+  const bool is_settled = estimate.status == SymmetryStatus::Symmetric && estimate.confidence >= in_doubt;
+  return !is_settled && !estimate.is_by_plane && !estimate.partners.empty() && best.surface.part_of.empty();
+}
+
+/** Whether two limbs are one, found from two of its ends. */
+bool
+areOne(const Limb& a, const Limb& b)
+{
+  return a.holds(b.end) && b.holds(a.end);
+}
+
+/** Whether the map sends the end of a limb to another limb of about the same size. */
+bool
+hasTwin(const Limb& limb, const std::vector<Limb>& limbs, const std::vector<Index>& partners)
+{
+  constexpr float alike = 1.25F;
+  const Index image = partners[limb.end];
+  return image != no_index && !limb.holds(image) && std::any_of(limbs.begin(), limbs.end(), [&](const Limb& other) {
+           return other.holds(image) && other.share < alike * limb.share && limb.share < alike * other.share;
+         });
+}
+
+/** The limbs of a surface, those first that its map pairs with none. */
+std::vector<Limb>
+limbsOf(const Interpretation& whole, std::size_t samples)
+{
+  std::vector<Limb> limbs;
+  for (const Index end : whole.estimate.ends) {
+    std::optional<Limb> limb = findLimb(whole.surface, end, samples);
+    if (limb && std::none_of(limbs.begin(), limbs.end(), [&limb](const Limb& other) { return areOne(*limb, other); })) {
+      limbs.push_back(std::move(*limb));
+    }
+  }
+  std::stable_partition(limbs.begin(), limbs.end(),
+                        [&, all = limbs](const Limb& limb) { return !hasTwin(limb, all, whole.estimate.partners); });
+  return limbs;
+}
+
+/** Whether a map of what is left without a limb sends the place of its root elsewhere: by more than the radius there. */
+bool
+movesRoot(const Limb& limb, const PartOfSurface& rest, const std::vector<Index>& partners)
+{
+  const float radius = limb.girth / 6.2831853F;
+  std::vector<float> ways;
+  for (std::size_t v = 0; v < rest.points.size(); ++v) {
+    const float from_end = limb.distances[rest.points[v]];
+    if (from_end <= limb.root + radius && partners[v] != no_index) {
+      ways.push_back(limb.distances[rest.points[partners[v]]] - from_end);
+    }
+  }
+  return !ways.empty() && median(std::move(ways)) > radius;
+}
+
+/** Whether the map without a limb is to be preferred to the one so far: it fits twice as well, or it fits better and
+ * can be trusted. What is cut off of a whole body may by chance be what fits worst, so that the other map must leave out
+ * something, too, or the confidence must be strong evidence; a map that was refused counts as one that was just refused. */
+bool
+isPreferred(const MapEstimate& without_limb, const MapEstimate& so_far)
+{
+  constexpr RefusalCalibration refusal;
+  const float gain = so_far.misfit - without_limb.misfit;
+  const float trust = without_limb.confidence * (1.0F - without_limb.unsupported_share);
+  if (gain >= std::log(2.0F)) {
+    return trust >= refusal.several_interpretations;
+  }
+  const bool is_strong =
+      so_far.status == SymmetryStatus::PartlySymmetric ||
+      isStrongEvidence(without_limb.confidence, std::max(so_far.confidence, refusal.several_interpretations));
+  return gain > 0.0F && is_strong && trust >= refusal.partial;
+}
+
+/** Gives what is known of a part of a surface the numbers of the whole; the rest of it has no counterpart. */
+void
+carryOver(MapEstimate& estimate, const std::vector<Index>& points, std::size_t size)
+{
+  const auto to_whole = [&points](Index v) {
+    return v == no_index ? no_index : points[v];
+  };
+  const auto renumber_all = [&](std::vector<Index>& numbers) {
+    std::transform(numbers.begin(), numbers.end(), numbers.begin(), to_whole);
+  };
+  const auto scatter_map = [&](std::vector<Index>& map) {
+    renumber_all(map);
+    scatter(map, points, size, no_index);
+  };
+  scatter_map(estimate.partners);
+  for (std::vector<AlternativeMap>* maps : {&estimate.alternatives, &estimate.rotations}) {
+    for (AlternativeMap& map : *maps) {
+      scatter_map(map.partners);
+    }
+  }
+  scatter(estimate.confidences, points, size, 0.0F);
+  scatter(estimate.side_function, points, size, 0.0F);
+  scatter(estimate.regions, points, size, Region::None);
+  scatter(estimate.support, points, size, 0.0F);
+  if (!estimate.landmark_of.empty()) {
+    scatter(estimate.landmark_of, points, size, no_index);
+  }
+  estimate.is_unsupported.assign(points.size(), 0);
+  scatter(estimate.is_unsupported, points, size, char{1});
+  renumber_all(estimate.extremities);
+  renumber_all(estimate.ends);
+  for (SymmetricMatch& match : estimate.matches) {
+    match = {to_whole(match.source), to_whole(match.target), to_whole(match.midpoint), match.cost};
+  }
+}
+
+/** The map of a surface without a limb, in numbers of the whole; none where the limb is not odd. */
+std::optional<MapEstimate>
+mapWithout(const Limb& limb, const Interpretation& whole, const SymmetryParameters& parameters, StepTimer& timer)
+{
+  const PartOfSurface rest = withoutLimb(whole.surface, limb);
+  MapEstimate estimate =
+      estimateRobust(rest.surface, parameters, robustSettings(parameters), timer, {mapOnSurface(rest.surface, whole)});
+  if (estimate.status != SymmetryStatus::Symmetric || estimate.is_partial ||
+      !movesRoot(limb, rest, estimate.partners)) {
+    return std::nullopt;
+  }
+  carryOver(estimate, rest.points, whole.surface.size());
+  estimate.unsupported_share = limb.share;
+  estimate.is_partial = true;
+  estimate.status = SymmetryStatus::PartlySymmetric;
+  estimate.message = "a part of the surface has no counterpart";
+  return estimate;
+}
+
+} // namespace
+
+std::optional<Interpretation>
+mapWithoutOddLimb(const Interpretation& best, const SymmetryParameters& parameters, StepTimer& timer)
+{
+  if (!isWorthALook(best)) {
+    return std::nullopt;
+  }
+  std::optional<MapEstimate> found; // the one that fits best
+  for (const Limb& limb : limbsOf(best, robustSettings(parameters).sampling.samples)) {
+    std::optional<MapEstimate> without = mapWithout(limb, best, parameters, timer);
+    if (without && (!found || without->misfit < found->misfit)) {
+      found = std::move(without);
+    }
+    if (found && found->confidence >= beyond_doubt && isPreferred(*found, best.estimate)) {
+      break;
+    }
+  }
+  if (!found || !isPreferred(*found, best.estimate)) {
+    return std::nullopt;
+  }
+  return Interpretation{best.surface, std::move(*found)};
+}
+
+} // namespace symmetry
+} // namespace pcl
