@@ -19,9 +19,10 @@ namespace symmetry {
  * eigenfunctions around its root are none of the other side. So one limb after another is cut off, and the rest is searched
  * anew, with the map of the whole among the hypotheses. The limb is odd where
  * - the rest is symmetric as a whole,
- * - its map sends the place where the limb was rooted elsewhere: a head has its counterpart in itself,
- * - it fits better than the map of the whole (MapEstimate::misfit), and it can be trusted, the more the more it
- *   contradicts: a whole map that was not refused must be outweighed tenfold, as for other parts without a counterpart.
+ * - its map sends the place where the limb was rooted elsewhere: a head has its counterpart in itself; and is not the map
+ *   of the whole, if that pairs the limb with another one that is alike,
+ * - it fits twice as well as the map of the whole (MapEstimate::misfit); or it fits better and is more likely right than
+ *   not, and the other one leaves something out, too, or has at most a tenth of the odds.
  *
  * Of several such limbs the one is taken whose rest fits best; the search ends where that is beyond doubt.
  * Cost: one search for each limb.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -43,8 +44,14 @@ hasTwin(const Limb& limb, const std::vector<Limb>& limbs, const std::vector<Inde
          });
 }
 
+/** A limb that may be odd. */
+struct CandidateLimb {
+  Limb limb;
+  bool has_twin; ///< see hasTwin ()
+};
+
 /** The limbs of a surface, those first that its map pairs with none. */
-std::vector<Limb>
+std::vector<CandidateLimb>
 limbsOf(const Interpretation& whole, std::size_t samples)
 {
   std::vector<Limb> limbs;
@@ -54,16 +61,22 @@ limbsOf(const Interpretation& whole, std::size_t samples)
       limbs.push_back(std::move(*limb));
     }
   }
-  std::stable_partition(limbs.begin(), limbs.end(),
-                        [&, all = limbs](const Limb& limb) { return !hasTwin(limb, all, whole.estimate.partners); });
-  return limbs;
+  std::vector<CandidateLimb> candidates;
+  for (const Limb& limb : limbs) {
+    candidates.push_back({limb, hasTwin(limb, limbs, whole.estimate.partners)});
+  }
+  std::stable_partition(candidates.begin(), candidates.end(), [](const CandidateLimb& c) { return !c.has_twin; });
+  return candidates;
 }
 
-/** Whether a map of what is left without a limb sends the place of its root elsewhere: by more than the radius there. */
+/** Whether a map of what is left without a limb sends the place of its root elsewhere. That of a head or a tail stays
+ * where it is. Of a circle that touches another one, half of the points are farther from that one's rim than
+ * (sqrt 5 - 1) radii: so images farther away than one radius in the median are another place. */
 bool
 movesRoot(const Limb& limb, const PartOfSurface& rest, const std::vector<Index>& partners)
 {
-  const float radius = limb.girth / 6.2831853F;
+  constexpr float pi = 3.1415927F;
+  const float radius = limb.girth / (2.0F * pi);
   std::vector<float> ways;
   for (std::size_t v = 0; v < rest.points.size(); ++v) {
     const float from_end = limb.distances[rest.points[v]];
@@ -128,16 +141,35 @@ carryOver(MapEstimate& estimate, const std::vector<Index>& points, std::size_t s
   }
 }
 
+/** Where the points of a surface go. */
+std::vector<Vector3>
+imagesOf(const PreparedSurface& surface, const std::vector<Index>& partners)
+{
+  constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
+  std::vector<Vector3> images(partners.size());
+  std::transform(partners.begin(), partners.end(), images.begin(), [&](Index partner) {
+    return partner == no_index ? Vector3{nowhere, nowhere, nowhere} : surface.points[partner];
+  });
+  return images;
+}
+
 /** The map of a surface without a limb, in numbers of the whole; none where the limb is not odd. */
 std::optional<MapEstimate>
-mapWithout(const Limb& limb, const Interpretation& whole, const SymmetryParameters& parameters, StepTimer& timer)
+mapWithout(const CandidateLimb& candidate,
+           const Interpretation& whole,
+           const SymmetryParameters& parameters,
+           StepTimer& timer)
 {
+  const Limb& limb = candidate.limb;
   const PartOfSurface rest = withoutLimb(whole.surface, limb);
-  MapEstimate estimate =
-      estimateRobust(rest.surface, parameters, robustSettings(parameters), timer, {mapOnSurface(rest.surface, whole)});
+  const std::vector<Index> known = mapOnSurface(rest.surface, whole);
+  MapEstimate estimate = estimateRobust(rest.surface, parameters, robustSettings(parameters), timer, {known});
   if (estimate.status != SymmetryStatus::Symmetric || estimate.is_partial ||
       !movesRoot(limb, rest, estimate.partners)) {
     return std::nullopt;
+  }
+  if (candidate.has_twin && areAlike(imagesOf(rest.surface, estimate.partners), imagesOf(rest.surface, known))) {
+    return std::nullopt; // the same map, by which the limb has a counterpart
   }
   carryOver(estimate, rest.points, whole.surface.size());
   estimate.unsupported_share = limb.share;
@@ -156,8 +188,8 @@ mapWithoutOddLimb(const Interpretation& best, const SymmetryParameters& paramete
     return std::nullopt;
   }
   std::optional<MapEstimate> found; // the one that fits best
-  for (const Limb& limb : limbsOf(best, robustSettings(parameters).sampling.samples)) {
-    std::optional<MapEstimate> without = mapWithout(limb, best, parameters, timer);
+  for (const CandidateLimb& candidate : limbsOf(best, robustSettings(parameters).sampling.samples)) {
+    std::optional<MapEstimate> without = mapWithout(candidate, best, parameters, timer);
     if (without && (!found || without->misfit < found->misfit)) {
       found = std::move(without);
     }
