@@ -19,8 +19,9 @@ namespace symmetry {
  * eigenfunctions around its root are none of the other side. So one limb after another is cut off, and the rest is searched
  * anew, with the map of the whole among the hypotheses. The limb is odd where
  * - the rest is symmetric as a whole,
- * - its map sends the place where the limb was rooted elsewhere: a head has its counterpart in itself; and is not the map
- *   of the whole, if that pairs the limb with another one that is alike,
+ * - its map sends the place where the limb was rooted elsewhere: a head has its counterpart in itself,
+ * - the map of the whole does not pair it with another one of its size; or that map is refused or partial, is another one,
+ *   and fits half as well,
  * - it fits twice as well as the map of the whole (MapEstimate::misfit); or it fits better and is more likely right than
  *   not, and the other one leaves something out, too, or has at most a tenth of the odds.
  *

@@ -110,6 +110,18 @@ TEST(OddLimb, IsNoneOfAWholeCreature)
   }
 }
 
+/** Without one of a pair the same map is found for the rest, which by itself says nothing. */
+TEST(OddLimb, IsNoneThatTheSameMapPairsWithAnother)
+{
+  for (const std::uint64_t seed : {107U, 111U}) {
+    Interpretation first = understood(creature(Body::Creature, seed).surface);
+    ASSERT_EQ(first.estimate.status, SymmetryStatus::Symmetric);
+    first.estimate.status = SymmetryStatus::NoSymmetry;
+    first.estimate.misfit = 0.0F;
+    EXPECT_FALSE(withoutOddLimb(first)) << seed;
+  }
+}
+
 /** What is left is its own mirror image as it stands: a plane maps it, which knows of no landmarks. */
 TEST(OddLimb, OfACreatureThatStandsStraight)
 {

@@ -8,7 +8,6 @@
 #include "symmetry/surface/limb.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -50,7 +49,8 @@ struct CandidateLimb {
   bool has_twin; ///< see hasTwin ()
 };
 
-/** The limbs of a surface, those first that its map pairs with none. */
+/** The limbs of a surface, those first that its map pairs with none; without the others where the map was found to be a
+ * symmetry of the whole. */
 std::vector<CandidateLimb>
 limbsOf(const Interpretation& whole, std::size_t samples)
 {
@@ -65,7 +65,11 @@ limbsOf(const Interpretation& whole, std::size_t samples)
   for (const Limb& limb : limbs) {
     candidates.push_back({limb, hasTwin(limb, limbs, whole.estimate.partners)});
   }
-  std::stable_partition(candidates.begin(), candidates.end(), [](const CandidateLimb& c) { return !c.has_twin; });
+  const auto with_twin =
+      std::stable_partition(candidates.begin(), candidates.end(), [](const CandidateLimb& c) { return !c.has_twin; });
+  if (whole.estimate.status == SymmetryStatus::Symmetric) {
+    candidates.erase(with_twin, candidates.end());
+  }
   return candidates;
 }
 
@@ -87,6 +91,9 @@ movesRoot(const Limb& limb, const PartOfSurface& rest, const std::vector<Index>&
   return !ways.empty() && median(std::move(ways)) > radius;
 }
 
+/** How much better one map fits than another from which on it fits twice as well: misfits are logarithms. */
+constexpr float twice = 0.6931472F;
+
 /** Whether the map without a limb is to be preferred to the one so far: it fits twice as well, or it fits better and
  * can be trusted. What is cut off of a whole body may by chance be what fits worst, so that the other map must leave out
  * something, too, or the confidence must be strong evidence; a map that was refused counts as one that was just refused. */
@@ -96,7 +103,7 @@ isPreferred(const MapEstimate& without_limb, const MapEstimate& so_far)
   constexpr RefusalCalibration refusal;
   const float gain = so_far.misfit - without_limb.misfit;
   const float trust = without_limb.confidence * (1.0F - without_limb.unsupported_share);
-  if (gain >= std::log(2.0F)) {
+  if (gain >= twice) {
     return trust >= refusal.several_interpretations;
   }
   const bool is_strong =
@@ -168,8 +175,10 @@ mapWithout(const CandidateLimb& candidate,
       !movesRoot(limb, rest, estimate.partners)) {
     return std::nullopt;
   }
-  if (candidate.has_twin && areAlike(imagesOf(rest.surface, estimate.partners), imagesOf(rest.surface, known))) {
-    return std::nullopt; // the same map, by which the limb has a counterpart
+  // By the map of the whole it has a counterpart: that map must be another one, and much worse.
+  if (candidate.has_twin && (whole.estimate.misfit - estimate.misfit < twice ||
+                             areAlike(imagesOf(rest.surface, estimate.partners), imagesOf(rest.surface, known)))) {
+    return std::nullopt;
   }
   carryOver(estimate, rest.points, whole.surface.size());
   estimate.unsupported_share = limb.share;

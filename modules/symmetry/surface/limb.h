@@ -27,7 +27,7 @@ struct Limb {
 };
 
 /** \brief Finds the root of a limb: of the curves of points that are equally far from its end, at most half of the area
- * within, the shortest one for the area that it cuts off. A trunk has one, too: what is narrowest counts.
+ * within, the shortest one for the area that it cuts off.
  *
  * Its isoperimetric ratio, the square of its length over that area, falls along a limb, as the area grows and the length
  * stays; that of a cone stays. Where the limb ends in a trunk the length grows faster. So the root is the last curve, from
@@ -35,7 +35,8 @@ struct Limb {
  * Cost: one shortest-path search.
  * \param[in] samples by which the surface is resolved: the area between curves that are six of their spacings apart tells
  * the length of the one in the middle
- * \return none of a surface without triangles, or with fewer samples than a curve takes */
+ * \return none where the ratio stays as small up to half of the area, as of a ball or of half a body: nothing ends there;
+ * and of a surface without triangles */
 std::optional<Limb>
 findLimb(const PreparedSurface& surface, Index end, std::size_t samples);
 

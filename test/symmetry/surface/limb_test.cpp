@@ -76,6 +76,11 @@ TEST(Limb, IsAsLongAroundAsItsRoot)
   EXPECT_NEAR(limb->girth / surface.scale, 2.0 * 3.14159 * 0.2, 0.3) << "paths along edges are longer than the surface";
 }
 
+TEST(Limb, IsNoneOfABall)
+{
+  EXPECT_FALSE(findLimb(preparedMesh(sphereMesh(5)), 0, samples));
+}
+
 TEST(Limb, IsLookedForWithTriangles)
 {
   PreparedSurface surface = ballWithLimb(0.2);

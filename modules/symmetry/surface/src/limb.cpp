@@ -111,7 +111,11 @@ findLimb(const PreparedSurface& surface, Index end, std::size_t samples)
     return std::nullopt;
   }
   const float limit = noise * narrowest->ratio;
-  const auto root = std::prev(std::find_if(narrowest, cuts.end(), [limit](const Cut& c) { return c.ratio > limit; }));
+  const auto beyond = std::find_if(narrowest, cuts.end(), [limit](const Cut& c) { return c.ratio > limit; });
+  if (beyond == cuts.end()) {
+    return std::nullopt;
+  }
+  const auto root = std::prev(beyond);
   limb.root = root->distance;
   limb.girth = root->girth;
   limb.share = root->area / area.total();
