@@ -5,6 +5,7 @@
 
 #include "symmetry/interpretation_maps.h"
 #include "symmetry/step_timer.h"
+#include "symmetry/surface/limb.h"
 
 #include <pcl/symmetry/symmetry_parameters.h>
 
@@ -12,6 +13,31 @@
 
 namespace pcl {
 namespace symmetry {
+
+/** \brief A limb that may be odd. */
+struct CandidateLimb {
+  Limb limb;
+  bool has_twin = false; ///< whether the map of the whole sends its end to another limb of about the same size
+};
+
+/** \brief Cuts off a limb and searches the rest.
+ * \return the partial map, in numbers of the whole; none where the limb is not odd, see mapWithoutOddLimb () */
+std::optional<MapEstimate>
+mapWithoutLimb(const CandidateLimb& candidate,
+               const Interpretation& whole,
+               const SymmetryParameters& parameters,
+               StepTimer& timer);
+
+/** \brief Moves the place where an odd limb is cut off towards its end, a tenth at a time, as long as the rest fits better
+ * all the same: at the hip a body is narrowest where more is cut off than what is odd. Not the other way: of less surface the
+ * rest fits better anyway.
+ * \param[in,out] found map of the rest */
+void
+giveBack(CandidateLimb candidate,
+         const Interpretation& whole,
+         const SymmetryParameters& parameters,
+         StepTimer& timer,
+         MapEstimate& found);
 
 /** \brief Looks for a limb without which the surface is symmetric, where its map is refused, partial or in doubt.
  *
@@ -25,8 +51,9 @@ namespace symmetry {
  * - it fits twice as well as the map of the whole (MapEstimate::misfit); or it fits better and is more likely right than
  *   not, and the other one leaves something out, too, or has at most a tenth of the odds.
  *
- * Of several such limbs the one is taken whose rest fits best; the search ends where that is beyond doubt.
- * Cost: one search for each limb.
+ * Of several such limbs the one is taken whose rest fits best; the search ends where that is beyond doubt. Then what
+ * was cut off too deep is given back.
+ * Cost: one search for each limb, and for each step back.
  * \param[in] best interpretation of the surface so far, with the verdict
  * \return the partial map; none where no limb is odd */
 std::optional<Interpretation>

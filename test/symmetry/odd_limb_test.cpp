@@ -2,10 +2,14 @@
 #include "base/vector_math.h"
 #include "model/articulated_body.h"
 #include "support/prepared.h"
+#include "support/symmetric_shapes.h"
 #include "symmetry/odd_limb.h"
 #include "symmetry/robust_method.h"
+#include "symmetry/surface/limb.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
@@ -120,6 +124,46 @@ TEST(OddLimb, IsNoneThatTheSameMapPairsWithAnother)
     first.estimate.misfit = 0.0F;
     EXPECT_FALSE(withoutOddLimb(first)) << seed;
   }
+}
+
+/** Share of the points that lie far from the mirror image in the rest pose. */
+float
+shareOdd(const Surface& rest)
+{
+  std::size_t odd = 0;
+  for (const Vector3& p : rest.points) {
+    odd += std::all_of(rest.points.begin(), rest.points.end(),
+                       [&p](const Vector3& q) {
+                         return distance(q, {-p[0], p[1], p[2]}) > 0.06F;
+                       })
+               ? 1U
+               : 0U;
+  }
+  return static_cast<float>(odd) / static_cast<float>(rest.size());
+}
+
+/** What was cut off of the trunk comes back, and nothing of the limb. */
+TEST(OddLimb, IsGivenBackWhatWasCutTooDeep)
+{
+  const std::uint64_t seed = 123;
+  const Interpretation first = understood(creature(Body::LameCreature, seed).surface);
+  const std::optional<Interpretation> found = withoutOddLimb(first);
+  ASSERT_TRUE(found);
+  std::optional<Limb> limb;
+  for (const Index end : first.estimate.ends) {
+    limb =
+        found->estimate.is_unsupported[static_cast<std::size_t>(end)] != 0 ? findLimb(first.surface, end, 1500) : limb;
+  }
+  ASSERT_TRUE(limb);
+  limb->root *= 1.3F;
+  StepTimer timer;
+  std::optional<MapEstimate> estimate = mapWithoutLimb({*limb}, first, SymmetryParameters{}, timer);
+  ASSERT_TRUE(estimate);
+  const float odd = shareOdd(creature(Body::LameCreature, seed, 0.0).surface);
+  EXPECT_GT(estimate->unsupported_share, 1.4F * odd);
+  giveBack({*limb}, first, SymmetryParameters{}, timer, *estimate);
+  EXPECT_LT(estimate->unsupported_share, 1.2F * odd);
+  EXPECT_GT(estimate->unsupported_share, 0.8F * odd);
 }
 
 /** What is left is its own mirror image as it stands: a plane maps it, which knows of no landmarks. */

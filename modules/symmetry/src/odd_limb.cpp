@@ -4,6 +4,7 @@
 #include "base/statistics.h"
 #include "symmetry/confidence/calibration.h"
 #include "symmetry/confidence/map_confidence.h"
+#include "symmetry/confidence/unsupported_parts.h"
 #include "symmetry/robust_method.h"
 #include "symmetry/surface/limb.h"
 
@@ -42,12 +43,6 @@ hasTwin(const Limb& limb, const std::vector<Limb>& limbs, const std::vector<Inde
            return other.holds(image) && other.share < alike * limb.share && limb.share < alike * other.share;
          });
 }
-
-/** A limb that may be odd. */
-struct CandidateLimb {
-  Limb limb;
-  bool has_twin; ///< see hasTwin ()
-};
 
 /** The limbs of a surface, those first that its map pairs with none; without the others where the map was found to be a
  * symmetry of the whole. */
@@ -160,12 +155,13 @@ imagesOf(const PreparedSurface& surface, const std::vector<Index>& partners)
   return images;
 }
 
-/** The map of a surface without a limb, in numbers of the whole; none where the limb is not odd. */
+} // namespace
+
 std::optional<MapEstimate>
-mapWithout(const CandidateLimb& candidate,
-           const Interpretation& whole,
-           const SymmetryParameters& parameters,
-           StepTimer& timer)
+mapWithoutLimb(const CandidateLimb& candidate,
+               const Interpretation& whole,
+               const SymmetryParameters& parameters,
+               StepTimer& timer)
 {
   const Limb& limb = candidate.limb;
   const PartOfSurface rest = withoutLimb(whole.surface, limb);
@@ -181,14 +177,30 @@ mapWithout(const CandidateLimb& candidate,
     return std::nullopt;
   }
   carryOver(estimate, rest.points, whole.surface.size());
-  estimate.unsupported_share = limb.share;
+  estimate.unsupported_share = 1.0F - shareWithPartner(whole.surface, estimate.partners);
   estimate.is_partial = true;
   estimate.status = SymmetryStatus::PartlySymmetric;
   estimate.message = "a part of the surface has no counterpart";
   return estimate;
 }
 
-} // namespace
+void
+giveBack(CandidateLimb candidate,
+         const Interpretation& whole,
+         const SymmetryParameters& parameters,
+         StepTimer& timer,
+         MapEstimate& found)
+{
+  constexpr float step = 0.9F;
+  for (bool is_better = true; is_better;) {
+    candidate.limb.root *= step;
+    std::optional<MapEstimate> estimate = mapWithoutLimb(candidate, whole, parameters, timer);
+    is_better = estimate && estimate->misfit < found.misfit;
+    if (is_better) {
+      found = std::move(*estimate);
+    }
+  }
+}
 
 std::optional<Interpretation>
 mapWithoutOddLimb(const Interpretation& best, const SymmetryParameters& parameters, StepTimer& timer)
@@ -197,10 +209,12 @@ mapWithoutOddLimb(const Interpretation& best, const SymmetryParameters& paramete
     return std::nullopt;
   }
   std::optional<MapEstimate> found; // the one that fits best
+  CandidateLimb odd;
   for (const CandidateLimb& candidate : limbsOf(best, robustSettings(parameters).sampling.samples)) {
-    std::optional<MapEstimate> without = mapWithout(candidate, best, parameters, timer);
+    std::optional<MapEstimate> without = mapWithoutLimb(candidate, best, parameters, timer);
     if (without && (!found || without->misfit < found->misfit)) {
       found = std::move(without);
+      odd = candidate;
     }
     if (found && found->confidence >= beyond_doubt && isPreferred(*found, best.estimate)) {
       break;
@@ -209,6 +223,7 @@ mapWithoutOddLimb(const Interpretation& best, const SymmetryParameters& paramete
   if (!found || !isPreferred(*found, best.estimate)) {
     return std::nullopt;
   }
+  giveBack(odd, best, parameters, timer, *found);
   return Interpretation{best.surface, std::move(*found)};
 }
 
