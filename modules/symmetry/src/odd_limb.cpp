@@ -9,6 +9,7 @@
 #include "symmetry/surface/limb.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -57,9 +58,9 @@ limbsOf(const Interpretation& whole, std::size_t samples)
     }
   }
   std::vector<CandidateLimb> candidates;
-  for (const Limb& limb : limbs) {
-    candidates.push_back({limb, hasTwin(limb, limbs, whole.estimate.partners)});
-  }
+  std::transform(limbs.begin(), limbs.end(), std::back_inserter(candidates), [&](const Limb& limb) {
+    return CandidateLimb{limb, hasTwin(limb, limbs, whole.estimate.partners)};
+  });
   const auto with_twin =
       std::stable_partition(candidates.begin(), candidates.end(), [](const CandidateLimb& c) { return !c.has_twin; });
   if (whole.estimate.status == SymmetryStatus::Symmetric) {
