@@ -48,8 +48,8 @@ giveBack(CandidateLimb candidate,
  * - its map sends the place where the limb was rooted elsewhere: a head has its counterpart in itself,
  * - the map of the whole does not pair it with another one of its size; or that map is refused or partial, is another one,
  *   and fits half as well,
- * - it fits twice as well as the map of the whole (MapEstimate::misfit); or it fits better and is more likely right than
- *   not, and the other one leaves something out, too, or has at most a tenth of the odds.
+ * - it fits twice as well as the map of the whole (MapEstimate::misfit); or it is more likely right than not, and fits better
+ *   if that one leaves something out, too, or has ten times its odds.
  *
  * Of several such limbs the one is taken whose rest fits best; the search ends where that is beyond doubt. Then what
  * was cut off too deep is given back.

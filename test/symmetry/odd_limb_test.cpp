@@ -88,6 +88,19 @@ TEST(OddLimb, IsCutOffAndTheRestIsMapped)
   }
 }
 
+/** The whole fits as well, but for one place. */
+TEST(OddLimb, IsOneWhereTheRestIsSureAndTheWholeIsNot)
+{
+  Interpretation first = understood(creature(Body::LameCreature, 515).surface);
+  ASSERT_LT(first.estimate.map_confidence, 0.5F);
+  first.estimate.misfit -= 0.25F; // as with other numbers of samples
+  const std::optional<Interpretation> found = withoutOddLimb(first);
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->estimate.confidence, 0.9F);
+  EXPECT_GT(found->estimate.misfit, first.estimate.misfit);
+  EXPECT_GT(shareRight(creature(Body::LameCreature, 515, 0.0).surface, found->estimate.partners), 0.97);
+}
+
 TEST(OddLimb, IsNotLookedForWhereNothingIsInDoubt)
 {
   Interpretation first = understood(creature(Body::LameCreature, 123).surface);

@@ -90,9 +90,9 @@ movesRoot(const Limb& limb, const PartOfSurface& rest, const std::vector<Index>&
 /** How much better one map fits than another from which on it fits twice as well: misfits are logarithms. */
 constexpr float twice = 0.6931472F;
 
-/** Whether the map without a limb is to be preferred to the one so far: it fits twice as well, or it fits better and
- * can be trusted. What is cut off of a whole body may by chance be what fits worst, so that the other map must leave out
- * something, too, or the confidence must be strong evidence; a map that was refused counts as one that was just refused. */
+/** Whether the map without a limb is to be preferred to the one so far: it fits twice as well, or it is more likely right
+ * than not and better: where that one leaves something out, too, it fits better; else its confidence is strong evidence,
+ * as for all parts without a counterpart. A map that was refused counts as one that was just refused. */
 bool
 isPreferred(const MapEstimate& without_limb, const MapEstimate& so_far)
 {
@@ -102,10 +102,11 @@ isPreferred(const MapEstimate& without_limb, const MapEstimate& so_far)
   if (gain >= twice) {
     return trust >= refusal.several_interpretations;
   }
-  const bool is_strong =
-      so_far.status == SymmetryStatus::PartlySymmetric ||
-      isStrongEvidence(without_limb.confidence, std::max(so_far.confidence, refusal.several_interpretations));
-  return gain > 0.0F && is_strong && trust >= refusal.partial;
+  const bool is_better =
+      so_far.status == SymmetryStatus::PartlySymmetric
+          ? gain > 0.0F
+          : isStrongEvidence(without_limb.confidence, std::max(so_far.confidence, refusal.several_interpretations));
+  return is_better && trust >= refusal.partial;
 }
 
 /** Gives what is known of a part of a surface the numbers of the whole; the rest of it has no counterpart. */
