@@ -4,6 +4,7 @@
 #include "base/statistics.h"
 #include "symmetry/confidence/calibration.h"
 #include "symmetry/confidence/map_confidence.h"
+#include "symmetry/confidence/support.h"
 #include "symmetry/confidence/unsupported_parts.h"
 #include "symmetry/robust_method.h"
 #include "symmetry/surface/limb.h"
@@ -53,7 +54,9 @@ limbsOf(const Interpretation& whole, std::size_t samples)
   std::vector<Limb> limbs;
   for (const Index end : whole.estimate.ends) {
     std::optional<Limb> limb = findLimb(whole.surface, end, samples);
-    if (limb && std::none_of(limbs.begin(), limbs.end(), [&limb](const Limb& other) { return areOne(*limb, other); })) {
+    const bool is_large = limb && limb->share >= SupportSettings{}.least_area;
+    if (is_large &&
+        std::none_of(limbs.begin(), limbs.end(), [&limb](const Limb& other) { return areOne(*limb, other); })) {
       limbs.push_back(std::move(*limb));
     }
   }
