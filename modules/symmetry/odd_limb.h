@@ -17,7 +17,7 @@ namespace symmetry {
 /** \brief A limb that may be odd. */
 struct CandidateLimb {
   Limb limb;
-  bool has_twin = false; ///< whether the map of the whole sends its end to another limb of about the same size
+  bool has_twin = false; ///< whether the map of the whole exchanges its end and that of a limb of its size
 };
 
 /** \brief Cuts off a limb and searches the rest.

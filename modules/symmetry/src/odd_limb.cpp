@@ -35,15 +35,18 @@ areOne(const Limb& a, const Limb& b)
   return a.holds(b.end) && b.holds(a.end);
 }
 
-/** Whether the map sends the end of a limb to another limb of about the same size. */
+/** Whether the map exchanges the ends of a limb and of another one of about the same size. */
 bool
 hasTwin(const Limb& limb, const std::vector<Limb>& limbs, const std::vector<Index>& partners)
 {
   constexpr float alike = 1.25F;
-  const Index image = partners[limb.end];
-  return image != no_index && !limb.holds(image) && std::any_of(limbs.begin(), limbs.end(), [&](const Limb& other) {
-           return other.holds(image) && other.share < alike * limb.share && limb.share < alike * other.share;
-         });
+  const auto goes_to = [&partners](const Limb& from, const Limb& to) {
+    return partners[from.end] != no_index && to.holds(partners[from.end]);
+  };
+  return !goes_to(limb, limb) && std::any_of(limbs.begin(), limbs.end(), [&](const Limb& other) {
+    return goes_to(limb, other) && goes_to(other, limb) && other.share < alike * limb.share &&
+           limb.share < alike * other.share;
+  });
 }
 
 /** The limbs of a surface, those first that its map pairs with none; without the others where the map was found to be a
