@@ -25,6 +25,10 @@ mapOfInput(const Interpretation& interpretation);
 std::vector<Index>
 mapOnSurface(const PreparedSurface& surface, const Interpretation& interpretation);
 
+/** \brief Where points go whose partners are these; not a number where they go nowhere. */
+std::vector<Vector3>
+imagesOf(const PreparedSurface& surface, const std::vector<Index>& partners);
+
 /** \brief Which part of a map is asked for. */
 enum class MapPart : char {
   Whole,

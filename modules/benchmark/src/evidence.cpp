@@ -103,8 +103,7 @@ contendersOf(const BenchmarkModel& model, const RunOptions& options)
   const SymmetryParameters parameters = parametersFor(model, options);
   Interpretation interpretation{firstSurface(input, parameters), {}};
   std::vector<EvidenceRow> rows;
-  RobustSettings settings;
-  settings.sampling.samples = static_cast<std::size_t>(parameters.robust.samples);
+  RobustSettings settings = robustSettings(parameters);
   settings.observer = [&](const SampledSurface& sampled, const std::vector<Contender>& contenders) {
     const MapJudge judge(sampled);
     for (const Contender& contender : contenders) {

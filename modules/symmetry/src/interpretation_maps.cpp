@@ -36,22 +36,31 @@ mapOnSurface(const PreparedSurface& surface, const Interpretation& interpretatio
 }
 
 std::vector<Vector3>
+imagesOf(const PreparedSurface& surface, const std::vector<Index>& partners)
+{
+  constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
+  std::vector<Vector3> images(partners.size());
+  std::transform(partners.begin(), partners.end(), images.begin(), [&surface](Index partner) {
+    return partner == no_index ? Vector3{nowhere, nowhere, nowhere} : surface.points[partner];
+  });
+  return images;
+}
+
+std::vector<Vector3>
 imagesOfProbes(const Interpretation& interpretation, MapPart part)
 {
   constexpr std::size_t probes = 500;
-  constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
   const std::vector<Index>& representatives = interpretation.surface.representatives;
   const std::vector<Index>& partners = interpretation.estimate.partners;
   const std::vector<char>& is_unsupported = interpretation.estimate.is_unsupported;
-  std::vector<Vector3> images;
+  std::vector<Index> of_probes;
   const std::size_t step = std::max<std::size_t>(1, representatives.size() / probes);
   for (std::size_t v = 0; !partners.empty() && v < representatives.size(); v += step) {
     const Index point = representatives[v];
     const bool is_asked = point != no_index && (part == MapPart::Whole || is_unsupported[point] == 0);
-    const Index partner = is_asked ? partners[point] : no_index;
-    images.push_back(partner == no_index ? Vector3{nowhere, nowhere, nowhere} : interpretation.surface.points[partner]);
+    of_probes.push_back(is_asked ? partners[point] : no_index);
   }
-  return images;
+  return imagesOf(interpretation.surface, of_probes);
 }
 
 bool

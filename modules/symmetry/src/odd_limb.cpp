@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -39,7 +38,7 @@ areOne(const Limb& a, const Limb& b)
 bool
 hasTwin(const Limb& limb, const std::vector<Limb>& limbs, const std::vector<Index>& partners)
 {
-  constexpr float alike = 1.25F;
+  constexpr float alike = 1.25F; // by hand, never varied: poses change areas, and a stump is no twin
   const auto goes_to = [&partners](const Limb& from, const Limb& to) {
     return partners[from.end] != no_index && to.holds(partners[from.end]);
   };
@@ -93,7 +92,8 @@ movesRoot(const Limb& limb, const PartOfSurface& rest, const std::vector<Index>&
   return !ways.empty() && median(std::move(ways)) > radius;
 }
 
-/** How much better one map fits than another from which on it fits twice as well: misfits are logarithms. */
+/** Misfits are logarithms: what is less by this fits twice as well. Chosen with the gains of right and wrong cuts in view
+ * (doc/decisions/odd-limbs.md). */
 constexpr float twice = 0.6931472F;
 
 /** Whether the map without a limb is to be preferred to the one so far: it fits twice as well, or it is more likely right
@@ -151,18 +151,6 @@ carryOver(MapEstimate& estimate, const std::vector<Index>& points, std::size_t s
   }
 }
 
-/** Where the points of a surface go. */
-std::vector<Vector3>
-imagesOf(const PreparedSurface& surface, const std::vector<Index>& partners)
-{
-  constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
-  std::vector<Vector3> images(partners.size());
-  std::transform(partners.begin(), partners.end(), images.begin(), [&](Index partner) {
-    return partner == no_index ? Vector3{nowhere, nowhere, nowhere} : surface.points[partner];
-  });
-  return images;
-}
-
 } // namespace
 
 std::optional<MapEstimate>
@@ -199,11 +187,11 @@ giveBack(CandidateLimb candidate,
          StepTimer& timer,
          MapEstimate& found)
 {
-  constexpr float step = 0.9F;
+  constexpr float step = 0.9F; // by hand
   for (bool is_better = true; is_better;) {
     candidate.limb.root *= step;
     std::optional<MapEstimate> estimate = mapWithoutLimb(candidate, whole, parameters, timer);
-    is_better = estimate && estimate->misfit < found.misfit;
+    is_better = estimate && estimate->misfit < found.misfit && isPreferred(*estimate, whole.estimate);
     if (is_better) {
       found = std::move(*estimate);
     }
