@@ -1,7 +1,7 @@
 // Objects that are mirrored but for a part that was fitted on, and bodies whose limbs are only posed.
 #include "base/vector_math.h"
-#include "model/articulated_body.h"
 #include "support/boxes.h"
+#include "support/known_body.h"
 #include "support/scattered.h"
 #include "support/symmetric_shapes.h"
 
@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -230,28 +229,11 @@ TEST(OddParts, AnOddLimbOfAFigureIsOne)
   EXPECT_GT(figure.points[result.unsupported[0].extreme][0], 1.0F) << "the hand";
 }
 
-/** Distance of the mirror image of a vertex in the rest pose from the nearest vertex. */
-float
-distanceFromMirrorImage(const Surface& rest, Index vertex)
-{
-  const Vector3& p = rest.points[vertex];
-  float nearest = std::numeric_limits<float>::max();
-  for (const Vector3& q : rest.points) {
-    nearest = std::min(nearest, distance(q, {-p[0], p[1], p[2]}));
-  }
-  return nearest;
-}
-
 TEST(OddParts, ALimbWhoseRootHardlyShowsIsOne)
 {
   for (const std::uint64_t seed : {119U, 128U}) { // refused as a whole, and nothing changes by much
-    ModelParameters parameters;
-    parameters.body = Body::LameCreature;
-    parameters.vertices = 7000;
-    parameters.seed = seed;
-    const SymmetryResult result = estimateIntrinsicSymmetry(makeModel(parameters).surface);
-    parameters.bend = 0.0;
-    const Surface rest = makeModel(parameters).surface;
+    const SymmetryResult result = estimateIntrinsicSymmetry(body(Body::LameCreature, 1.0, seed, 7000).surface);
+    const Surface rest = body(Body::LameCreature, 0.0, seed, 7000).surface;
     ASSERT_EQ(result.status, SymmetryStatus::PartlySymmetric) << seed << ": " << result.message;
     ASSERT_FALSE(result.unsupported.empty());
     EXPECT_GT(distanceFromMirrorImage(rest, result.unsupported[0].extreme), 0.1F) << seed << ": not the odd limb";

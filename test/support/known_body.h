@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -19,16 +20,27 @@ namespace pcl {
 namespace symmetry {
 namespace test {
 
-/** \brief A body of 3,000 vertices. */
 inline Model
-body(Body kind, double bend, std::uint64_t seed = 1)
+body(Body kind, double bend, std::uint64_t seed = 1, std::size_t vertices = 3000)
 {
   ModelParameters parameters;
   parameters.body = kind;
-  parameters.vertices = 3000;
+  parameters.vertices = vertices;
   parameters.bend = bend;
   parameters.seed = seed;
   return makeModel(parameters);
+}
+
+/** \brief Distance of the mirror image of a vertex in the rest pose from the nearest vertex. */
+inline float
+distanceFromMirrorImage(const Surface& rest, Index vertex)
+{
+  const Vector3& p = rest.points[vertex];
+  float nearest = std::numeric_limits<float>::max();
+  for (const Vector3& q : rest.points) {
+    nearest = std::min(nearest, distance(q, {-p[0], p[1], p[2]}));
+  }
+  return nearest;
 }
 
 /** \brief A human whose pose is slightly bent, made once. */

@@ -1,15 +1,12 @@
 // Limbs without a counterpart: the rest is mapped without them.
 #include "base/vector_math.h"
-#include "model/articulated_body.h"
+#include "support/known_body.h"
 #include "support/prepared.h"
-#include "support/symmetric_shapes.h"
 #include "symmetry/odd_limb.h"
 #include "symmetry/robust_method.h"
 #include "symmetry/surface/limb.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
@@ -17,14 +14,9 @@ using namespace pcl::symmetry::test;
 namespace {
 
 Model
-creature(Body body, std::uint64_t seed, double bend = 1.0)
+creature(Body kind, std::uint64_t seed, double bend = 1.0)
 {
-  ModelParameters parameters;
-  parameters.body = body;
-  parameters.vertices = 7000;
-  parameters.seed = seed;
-  parameters.bend = bend;
-  return makeModel(parameters);
+  return body(kind, bend, seed, 7000);
 }
 
 /** A surface as it is understood at first. */
@@ -144,13 +136,8 @@ float
 shareOdd(const Surface& rest)
 {
   std::size_t odd = 0;
-  for (const Vector3& p : rest.points) {
-    odd += std::all_of(rest.points.begin(), rest.points.end(),
-                       [&p](const Vector3& q) {
-                         return distance(q, {-p[0], p[1], p[2]}) > 0.06F;
-                       })
-               ? 1U
-               : 0U;
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    odd += distanceFromMirrorImage(rest, static_cast<Index>(v)) > 0.06F ? 1U : 0U;
   }
   return static_cast<float>(odd) / static_cast<float>(rest.size());
 }

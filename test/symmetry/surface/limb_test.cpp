@@ -1,7 +1,6 @@
 // Limbs: where they are rooted, and what is left without one.
-#include "model/implicit_surface.h"
-#include "model/polygonize.h"
 #include "support/prepared.h"
+#include "support/symmetric_shapes.h"
 #include "symmetry/surface/limb.h"
 #include "symmetry/surface/point_areas.h"
 
@@ -24,13 +23,7 @@ ballWithLimb(double radius_at_root)
 {
   const RoundCone ball({0, 0, 0}, 1.0, {0, 0, 0}, 1.0);
   const RoundCone limb({0, 0, 0}, radius_at_root, {2.8, 0, 0}, 0.2);
-  const TriangleMesh mesh = polygonize(ImplicitSurface({ball, limb}, 0.02), 0.07, Extent::Whole);
-  Surface surface;
-  for (const Eigen::Vector3d& p : mesh.points) {
-    surface.points.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
-  }
-  surface.triangles = mesh.triangles;
-  return preparedMesh(surface);
+  return preparedMesh(skinOf({ball, limb}, 0.07));
 }
 
 Index
