@@ -93,6 +93,18 @@ TEST(OddLimb, IsOneWhereTheRestIsSureAndTheWholeIsNot)
   EXPECT_GT(shareRight(creature(Body::LameCreature, 515, 0.0).surface, found->estimate.partners), 0.97);
 }
 
+/** The rest is sure enough by itself, but explains less. */
+TEST(OddLimb, IsNoneWhereTheMapSoFarFitsBetter)
+{
+  Interpretation first = understood(creature(Body::LameCreature, 123).surface);
+  first.estimate.misfit = -20.0F;
+  first.estimate.confidence = 0.7F;
+  for (const SymmetryStatus status : {SymmetryStatus::PartlySymmetric, SymmetryStatus::Symmetric}) {
+    first.estimate.status = status;
+    EXPECT_FALSE(withoutOddLimb(first));
+  }
+}
+
 TEST(OddLimb, IsNotLookedForWhereNothingIsInDoubt)
 {
   Interpretation first = understood(creature(Body::LameCreature, 123).surface);
