@@ -26,6 +26,7 @@ struct MapEstimate {
   float confidence = 0.0F;
   float map_confidence = 0.0F;       ///< of the map as it came out, also where it is refused
   float misfit = 0.0F;               ///< of the map: SampleEstimate::value, a logarithm, the lower the better
+  float search_score = 0.0F;         ///< of the best candidate of the search: MapScore::value, the lower the better
   float known_holes = 0.0F;          ///< share of the samples into whose cells holes of a mesh reach; 0 for a cloud
   float unsupported_share = 0.0F;    ///< of the area: parts without a counterpart, see Support
   float supported_confidence = 0.0F; ///< of the map of the rest; map_confidence where all is supported

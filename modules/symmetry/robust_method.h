@@ -16,6 +16,7 @@
 #include <pcl/symmetry/symmetry_parameters.h>
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -31,6 +32,8 @@ struct RobustSettings {
   std::size_t contenders = 4;       ///< best candidates that are refined and compared, as long as their scores
   float contender_margin = 0.7F;    ///< are not worse than the best one's by more than this: half as isometric
   std::size_t later_contenders = 2; ///< the same beside maps of other interpretations, which are refined as well
+  /** A search whose best candidate has no better score (MapScore::value) has found nothing: no map is refined. */
+  float score_to_beat = std::numeric_limits<float>::infinity();
   /** Shown all refined maps, the one that is taken first; none where a mirror plane explains the surface. May be empty. */
   std::function<void(const SampledSurface&, const std::vector<Contender>&)> observer;
 };

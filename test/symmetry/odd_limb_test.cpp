@@ -194,4 +194,11 @@ TEST(OddLimb, OfACreatureThatStandsStraight)
   EXPECT_GT(shareRight(standing, found->estimate.partners), 0.97);
 }
 
+TEST(OddLimb, IsNotCutOffWhereTheSearchFindsNothingBetterWithoutIt)
+{
+  Interpretation first = understood(creature(Body::LameCreature, 114).surface);
+  first.estimate.search_score = -10.0F; // no search has a score as good
+  EXPECT_FALSE(withoutOddLimb(first));
+}
+
 } // namespace

@@ -11,9 +11,8 @@ namespace {
 
 /** Of a search that makes no hypothesis. */
 MapEstimate
-estimateFrom(const std::vector<std::vector<Index>>& known)
+estimateFrom(const std::vector<std::vector<Index>>& known, RobustSettings settings = {})
 {
-  RobustSettings settings;
   settings.search.sign_patterns = false;
   settings.search.pairings = 0;
   StepTimer timer;
@@ -39,6 +38,21 @@ TEST(RobustMethod, TriesTheMapsThatOthersHaveFound)
     right += distance(body.surface.points[estimate.partners[v]], there) < near ? 1U : 0U;
   }
   EXPECT_GT(right, truth.size() * 9 / 10);
+}
+
+TEST(RobustMethod, RefinesNothingWhereTheScoreIsNotBeaten)
+{
+  const std::vector<Index>& truth = quadruped().model.partners;
+  const MapEstimate found = estimateFrom({truth});
+  ASSERT_LT(found.search_score, 0.0F);
+  RobustSettings settings;
+  settings.score_to_beat = found.search_score + 0.01F;
+  EXPECT_EQ(estimateFrom({truth}, settings).partners, found.partners);
+  settings.score_to_beat = found.search_score;
+  const MapEstimate none = estimateFrom({truth}, settings);
+  EXPECT_EQ(none.status, SymmetryStatus::NoSymmetry);
+  EXPECT_FALSE(none.message.empty());
+  EXPECT_TRUE(none.partners.empty());
 }
 
 } // namespace

@@ -162,7 +162,10 @@ mapWithoutLimb(const CandidateLimb& candidate,
   const Limb& limb = candidate.limb;
   const PartOfSurface rest = withoutLimb(whole.surface, limb);
   const std::vector<Index> known = mapOnSurface(rest.surface, whole);
-  MapEstimate estimate = estimateRobust(rest.surface, parameters, robustSettings(parameters), timer, {known});
+  RobustSettings settings = robustSettings(parameters);
+  settings.score_to_beat = whole.estimate.search_score;
+  settings.later_contenders = 1; // beside the map of the whole; with two, the same maps come out
+  MapEstimate estimate = estimateRobust(rest.surface, parameters, settings, timer, {known});
   if (estimate.status != SymmetryStatus::Symmetric || estimate.is_partial ||
       !movesRoot(limb, rest, estimate.partners)) {
     return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace pcl {
@@ -51,6 +52,17 @@ explainsMore(const MirrorFit& plane,
   const bool is_certain = sampled.surface.part_of.empty() && estimate.trust >= plane.share &&
                           (map.contradicts ? map.moves_farther : map.crosses);
   return !explains_rest && !is_certain;
+}
+
+/** Infinite where there is no candidate. */
+float
+bestScore(const std::vector<SymmetryCandidate>& candidates)
+{
+  float best = std::numeric_limits<float>::infinity();
+  for (const SymmetryCandidate& candidate : candidates) {
+    best = std::min(best, candidate.score.value);
+  }
+  return best;
 }
 
 bool
@@ -131,18 +143,23 @@ estimateRobust(const PreparedSurface& surface,
   timer.start("hypotheses", 0.4);
   const std::vector<SymmetryCandidate> candidates = searchSymmetries(sampled, settings.search);
 
+  const std::vector<SymmetryCandidate> given =
+      candidatesFromMaps(sampled, landmarkMapsOf(sampled, known), settings.search);
+  const MapJudge judge(sampled);
+  const float search_score = std::min(bestScore(candidates), bestScore(given));
+  std::vector<Contender> contenders;
+  if (planes.empty() && search_score >= settings.score_to_beat) {
+    return judge.verdict(contenders);
+  }
+
   // Refine: the candidates that come close, to the precision of the surface.
   timer.start("matching", 0.7);
   const SampleRefinement refinement(sampled, settings.refinement);
   const std::size_t searched = known.empty() ? settings.contenders : settings.later_contenders;
-  std::vector<Contender> contenders = refineContenders(refinement, candidates, searched, settings.contender_margin);
-
-  const std::vector<SymmetryCandidate> given =
-      candidatesFromMaps(sampled, landmarkMapsOf(sampled, known), settings.search);
+  contenders = refineContenders(refinement, candidates, searched, settings.contender_margin);
   addContenders(refinement, given, contenders);
 
   // Judge: which of them fits best, and whether it is a symmetry at all.
-  const MapJudge judge(sampled);
   MapEstimate estimate = judge.verdict(contenders);
   if (!planes.empty() && explainsMore(planes.front(), sampled, contenders, estimate, settings.mirror)) {
     timer.start("dense", 0.8);
@@ -170,6 +187,7 @@ estimateRobust(const PreparedSurface& surface,
   if (settings.observer) {
     settings.observer(sampled, contenders);
   }
+  estimate.search_score = search_score;
   // Deliver: from the samples to all points, also where the map is refused: other interpretations may speak for it.
   timer.start("dense", 0.8);
   deliverMap(sampled, contenders.front().samples, estimate);
