@@ -21,20 +21,18 @@ struct Contender {
   SampleEstimate samples;
 };
 
-/** \brief Refines the candidates with the best scores; what fits best comes first.
+/** \brief The candidates with the best scores.
+ * \param[in] candidates the best one first; referred to, not copied
  * \param[in] maximum at most so many
  * \param[in] margin none whose score is worse than the best one's by more */
-std::vector<Contender>
-refineContenders(const SampleRefinement& refinement,
-                 const std::vector<SymmetryCandidate>& candidates,
-                 std::size_t maximum,
-                 float margin);
+std::vector<const SymmetryCandidate*>
+closestCandidates(const std::vector<SymmetryCandidate>& candidates, std::size_t maximum, float margin);
 
-/** \brief Refines further candidates and puts them among the others.
+/** \brief Refines candidates and puts them among the contenders; what fits best comes first.
  * \param[in] candidates referred to, not copied */
 void
 addContenders(const SampleRefinement& refinement,
-              const std::vector<SymmetryCandidate>& candidates,
+              const std::vector<const SymmetryCandidate*>& candidates,
               std::vector<Contender>& contenders);
 
 /** \brief Judges maps of one surface. */

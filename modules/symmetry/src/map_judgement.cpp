@@ -1,5 +1,6 @@
 #include "symmetry/map_judgement.h"
 
+#include "base/parallel.h"
 #include "symmetry/confidence/calibration.h"
 
 #include <algorithm>
@@ -11,13 +12,6 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
-void
-sortByValue(std::vector<Contender>& contenders)
-{
-  std::stable_sort(contenders.begin(), contenders.end(),
-                   [](const Contender& a, const Contender& b) { return a.samples.value < b.samples.value; });
-}
-
 /** Whether one of the landmarks with a mark is the end of a limb. */
 bool
 holdsEnd(const LandmarkSurface& landmarks, const std::vector<char>& marks)
@@ -28,32 +22,39 @@ holdsEnd(const LandmarkSurface& landmarks, const std::vector<char>& marks)
 
 } // namespace
 
-std::vector<Contender>
-refineContenders(const SampleRefinement& refinement,
-                 const std::vector<SymmetryCandidate>& candidates,
-                 std::size_t maximum,
-                 float margin)
+std::vector<const SymmetryCandidate*>
+closestCandidates(const std::vector<SymmetryCandidate>& candidates, std::size_t maximum, float margin)
 {
-  std::vector<Contender> contenders;
+  std::vector<const SymmetryCandidate*> closest;
   for (const SymmetryCandidate& candidate : candidates) {
-    if (contenders.size() >= maximum || candidate.score.value > candidates[0].score.value + margin) {
+    if (closest.size() >= maximum || candidate.score.value > candidates[0].score.value + margin) {
       break;
     }
-    contenders.push_back({&candidate, refinement.refine(candidate)});
+    closest.push_back(&candidate);
   }
-  sortByValue(contenders);
-  return contenders;
+  return closest;
 }
 
 void
 addContenders(const SampleRefinement& refinement,
-              const std::vector<SymmetryCandidate>& candidates,
+              const std::vector<const SymmetryCandidate*>& candidates,
               std::vector<Contender>& contenders)
 {
-  for (const SymmetryCandidate& candidate : candidates) {
-    contenders.push_back({&candidate, refinement.refine(candidate)});
+  const std::size_t first = contenders.size();
+  for (const SymmetryCandidate* candidate : candidates) {
+    contenders.push_back({candidate, {}});
   }
-  sortByValue(contenders);
+  const auto refine = [&](std::size_t k) {
+    contenders[k].samples = refinement.refine(*contenders[k].candidate);
+  };
+  if (candidates.size() == 1) {
+    refine(first); // whose loops are shared out among the threads
+  }
+  else { // threads are busier with one candidate each
+    parallelFor(candidates.size(), [&refine, first](std::size_t k) { refine(first + k); });
+  }
+  std::stable_sort(contenders.begin(), contenders.end(),
+                   [](const Contender& a, const Contender& b) { return a.samples.value < b.samples.value; });
 }
 
 MapJudge::MapJudge(const SampledSurface& sampled)

@@ -54,16 +54,43 @@ explainsMore(const MirrorFit& plane,
   return !explains_rest && !is_certain;
 }
 
-/** Infinite where there is no candidate. */
-float
-bestScore(const std::vector<SymmetryCandidate>& candidates)
+std::vector<const SymmetryCandidate*>
+allOf(const std::vector<SymmetryCandidate>& candidates)
 {
-  float best = std::numeric_limits<float>::infinity();
-  for (const SymmetryCandidate& candidate : candidates) {
-    best = std::min(best, candidate.score.value);
-  }
-  return best;
+  std::vector<const SymmetryCandidate*> all(candidates.size());
+  std::transform(candidates.begin(), candidates.end(), all.begin(), [](const SymmetryCandidate& c) { return &c; });
+  return all;
 }
+
+/** What the map may be, among the landmarks. */
+struct Hypotheses {
+  std::vector<SymmetryCandidate> searched; ///< the best one first
+  std::vector<SymmetryCandidate> given;    ///< near maps that are known from elsewhere
+
+  /** The best score; infinite where there is no candidate. */
+  float
+  bestScore() const
+  {
+    float best = std::numeric_limits<float>::infinity();
+    for (const std::vector<SymmetryCandidate>* candidates : {&searched, &given}) {
+      for (const SymmetryCandidate& candidate : *candidates) {
+        best = std::min(best, candidate.score.value);
+      }
+    }
+    return best;
+  }
+
+  /** Those that are worth refining: the best ones of the search, and all that are given. */
+  std::vector<const SymmetryCandidate*>
+  promising(const RobustSettings& settings) const
+  {
+    std::vector<const SymmetryCandidate*> all = closestCandidates(
+        searched, given.empty() ? settings.contenders : settings.later_contenders, settings.contender_margin);
+    const std::vector<const SymmetryCandidate*> known = allOf(given);
+    all.insert(all.end(), known.begin(), known.end());
+    return all;
+  }
+};
 
 bool
 listsOthers(const SymmetryParameters& parameters)
@@ -141,23 +168,18 @@ estimateRobust(const PreparedSurface& surface,
   }
   // Search: many hypotheses among the landmarks, ranked.
   timer.start("hypotheses", 0.4);
-  const std::vector<SymmetryCandidate> candidates = searchSymmetries(sampled, settings.search);
-
-  const std::vector<SymmetryCandidate> given =
-      candidatesFromMaps(sampled, landmarkMapsOf(sampled, known), settings.search);
+  const Hypotheses hypotheses{searchSymmetries(sampled, settings.search),
+                              candidatesFromMaps(sampled, landmarkMapsOf(sampled, known), settings.search)};
   const MapJudge judge(sampled);
-  const float search_score = std::min(bestScore(candidates), bestScore(given));
   std::vector<Contender> contenders;
-  if (planes.empty() && search_score >= settings.score_to_beat) {
+  if (planes.empty() && hypotheses.bestScore() >= settings.score_to_beat) {
     return judge.verdict(contenders);
   }
 
   // Refine: the candidates that come close, to the precision of the surface.
   timer.start("matching", 0.7);
   const SampleRefinement refinement(sampled, settings.refinement);
-  const std::size_t searched = known.empty() ? settings.contenders : settings.later_contenders;
-  contenders = refineContenders(refinement, candidates, searched, settings.contender_margin);
-  addContenders(refinement, given, contenders);
+  addContenders(refinement, hypotheses.promising(settings), contenders);
 
   // Judge: which of them fits best, and whether it is a symmetry at all.
   MapEstimate estimate = judge.verdict(contenders);
@@ -168,7 +190,7 @@ estimateRobust(const PreparedSurface& surface,
     mirrored.misfit = planes.front().is_of_part ? estimate.misfit : mirrored.misfit;
     if (is_whole && estimate.confidence >= in_doubt && listsOthers(parameters) &&
         !compareWithPlane(sampled, contenders.front().samples, planes.front(), settings.mirror).contradicts) {
-      listOthers(sampled, refinement, contenders.front(), candidates, parameters, settings, mirrored);
+      listOthers(sampled, refinement, contenders.front(), hypotheses.searched, parameters, settings, mirrored);
     }
     return mirrored;
   }
@@ -178,21 +200,21 @@ estimateRobust(const PreparedSurface& surface,
   // In doubt: is it right but for two limbs? Ends of an object in parts are none.
   std::vector<SymmetryCandidate> exchanged;
   if (estimate.confidence < in_doubt && surface.part_of.empty() && known.empty()) {
-    exchanged = promisingExchanges(sampled, contenders.front(), candidates, settings);
+    exchanged = promisingExchanges(sampled, contenders.front(), hypotheses.searched, settings);
   }
   if (!exchanged.empty()) {
-    addContenders(refinement, exchanged, contenders);
+    addContenders(refinement, allOf(exchanged), contenders);
     estimate = judge.verdict(contenders);
   }
   if (settings.observer) {
     settings.observer(sampled, contenders);
   }
-  estimate.search_score = search_score;
+  estimate.search_score = hypotheses.bestScore();
   // Deliver: from the samples to all points, also where the map is refused: other interpretations may speak for it.
   timer.start("dense", 0.8);
   deliverMap(sampled, contenders.front().samples, estimate);
   if (listsOthers(parameters)) {
-    listOthers(sampled, refinement, contenders.front(), candidates, parameters, settings, estimate);
+    listOthers(sampled, refinement, contenders.front(), hypotheses.searched, parameters, settings, estimate);
   }
   return estimate;
 }
