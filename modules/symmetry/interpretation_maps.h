@@ -21,6 +21,11 @@ struct Interpretation {
 std::vector<Index>
 mapOfInput(const Interpretation& interpretation);
 
+/** \brief A mark for every point of the input that has no counterpart (MapEstimate::is_unsupported); none for those that
+ * take no part. */
+std::vector<char>
+unsupportedInInput(const Interpretation& interpretation);
+
 /** \brief Partner of every point of another interpretation of the same input, no_index where there is none. */
 std::vector<Index>
 mapOnSurface(const PreparedSurface& surface, const Interpretation& interpretation);

@@ -55,8 +55,9 @@ public:
    * By odds see Pooling. By votes its confidence becomes the geometric mean of its own and the mean of all
    * interpretations, in which those that found another map or none count 0: out of many tries at a body without symmetry
    * one may look like some. No symmetry was found if less than 0.25 is left, of a cloud with noise or with points at
-   * random places 0.15. Where nothing is left, but a closer look shows that one of the maps can be trusted on a part of
-   * the surface (MapEstimate::trust_of_part), that one is handed over. */
+   * random places 0.15. Where nothing is left, but closer looks at two of the maps leave out mostly the same part of the
+   * surface, the later one of them is handed over, or the earlier one where that is the most trusted of all on what is left
+   * (MapEstimate::trust_of_part). */
   Interpretation
   takeBest();
 
@@ -96,12 +97,17 @@ private:
   bestRival() const;
 
   void
-  keepPart(const Interpretation& interpretation);
+  addCloserLook(const Interpretation& interpretation);
 
   Pooling pooling_;
   std::vector<Rival> rivals_;
-  std::size_t interpretations_ = 0;    ///< added so far
-  std::optional<Interpretation> part_; ///< of refused maps the one whose MapEstimate::trust_of_part is largest
+  std::size_t interpretations_ = 0; ///< added so far
+  /** Closer looks at refused maps, what each leaves out: a mark for every point of the input. The maps themselves are large:
+   * only two are kept, the most trusted one, and the most trusted one of those found with another look. */
+  std::vector<std::vector<char>> left_out_;
+  std::optional<Interpretation> looked_at_;
+  std::size_t look_at_it_ = 0; ///< number of its look
+  std::optional<Interpretation> part_;
 };
 
 } // namespace symmetry

@@ -283,13 +283,14 @@ TEST(RivalsByOdds, WhatIsDoubtfulThroughoutIsNoSymmetry)
   EXPECT_LT(best.estimate.confidence, 0.1F);
 }
 
-/** A refused map of which a closer look shows that it can be trusted on a part. */
+/** A refused map of which a closer look shows that it can be trusted on a part: but for twenty points from \a from on. */
 Interpretation
-trustedInPart(Index first, float trust)
+trustedInPart(Index first, float trust, std::ptrdiff_t from = 0)
 {
   Interpretation interpretation = mapOf(first, 0.05F);
   interpretation.estimate.status = SymmetryStatus::NoSymmetry;
   interpretation.estimate.is_unsupported.assign(number, 0);
+  std::fill_n(interpretation.estimate.is_unsupported.begin() + from, 20, char{1});
   interpretation.estimate.trust_of_part = trust;
   return interpretation;
 }
@@ -305,6 +306,38 @@ TEST(RivalsByOdds, OfWhatIsRefusedTheMapOfAPartIsTakenThatIsTrustedMost)
   EXPECT_EQ(best.estimate.status, SymmetryStatus::PartlySymmetric);
   EXPECT_EQ(best.estimate.confidence, 0.8F);
   EXPECT_EQ(best.estimate.partners[0], 100U);
+}
+
+TEST(RivalsByOdds, APartThatOneCloserLookAloneLeavesOutIsChance)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(trustedInPart(0, 0.9F));
+  rivals.add(trustedInPart(0, 0.8F, 60));
+  rivals.add(trustedInPart(0, 0.7F, 10)); // shares ten of thirty points with the first
+  EXPECT_EQ(rivals.takeBest().estimate.status, SymmetryStatus::NoSymmetry);
+}
+
+TEST(RivalsByOdds, WhatTwoCloserLooksLeaveOutIsTakenBeforeWhatIsTrustedMore)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(trustedInPart(0, 0.9F, 100));
+  rivals.add(trustedInPart(50, 0.6F, 0));
+  rivals.add(trustedInPart(70, 0.7F, 6)); // shares fourteen of twenty-six points
+  const Interpretation best = rivals.takeBest();
+  EXPECT_EQ(best.estimate.status, SymmetryStatus::PartlySymmetric);
+  EXPECT_EQ(best.estimate.partners[0], 70U);
+  EXPECT_EQ(best.estimate.confidence, 0.7F);
+}
+
+TEST(RivalsByOdds, AnEarlierCloserLookIsTakenWhereALaterOneConfirmsIt)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(trustedInPart(50, 0.9F, 0));
+  rivals.add(trustedInPart(60, 0.6F, 100));
+  rivals.add(trustedInPart(70, 0.7F, 6));
+  const Interpretation best = rivals.takeBest();
+  EXPECT_EQ(best.estimate.partners[0], 50U);
+  EXPECT_EQ(best.estimate.confidence, 0.9F);
 }
 
 TEST(RivalsByOdds, AMapOfTheWholeIsBetterThanOneThatOnlyACloserLookShows)

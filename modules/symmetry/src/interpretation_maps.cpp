@@ -23,6 +23,18 @@ mapOfInput(const Interpretation& interpretation)
   return map;
 }
 
+std::vector<char>
+unsupportedInInput(const Interpretation& interpretation)
+{
+  const std::vector<Index>& representatives = interpretation.surface.representatives;
+  const std::vector<char>& is_unsupported = interpretation.estimate.is_unsupported;
+  std::vector<char> marks(representatives.size());
+  for (std::size_t v = 0; v < marks.size() && !is_unsupported.empty(); ++v) {
+    marks[v] = representatives[v] != no_index ? is_unsupported[representatives[v]] : char{0};
+  }
+  return marks;
+}
+
 std::vector<Index>
 mapOnSurface(const PreparedSurface& surface, const Interpretation& interpretation)
 {

@@ -77,13 +77,37 @@ giveVerdict(Interpretation& interpretation, float confidence, const char* refusa
   estimate.confidence = confidence_of_refused * confidence;
 }
 
+/** Keeps the map that can be trusted more on what a closer look leaves. */
+bool
+takeIfMoreTrusted(std::optional<Interpretation>& kept, const Interpretation& interpretation)
+{
+  const bool is_better = !kept || interpretation.estimate.trust_of_part > kept->estimate.trust_of_part;
+  if (is_better) {
+    kept = interpretation;
+  }
+  return is_better;
+}
+
+/** Whether most of what has a mark in either has one in both. */
+bool
+areMostlyShared(const std::vector<char>& a, const std::vector<char>& b)
+{
+  std::size_t in_both = 0;
+  std::size_t in_either = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    in_both += a[i] != 0 && b[i] != 0 ? 1U : 0U;
+    in_either += a[i] != 0 || b[i] != 0 ? 1U : 0U;
+  }
+  return 2 * in_both > in_either;
+}
+
 } // namespace
 
 void
 RivalInterpretations::add(Interpretation interpretation)
 {
   ++interpretations_;
-  keepPart(interpretation);
+  addCloserLook(interpretation);
   const MapEstimate& estimate = interpretation.estimate;
   const bool by_odds = pooling_ == Pooling::Odds;
   const bool has_vote = by_odds || estimate.is_partial || estimate.status == SymmetryStatus::Symmetric;
@@ -193,13 +217,28 @@ RivalInterpretations::takeBest()
   return interpretation;
 }
 
+/** One closer look among several maps that are all refused finds something by chance. What the surface lacks on one side is
+ * found with other samples as well. */
 void
-RivalInterpretations::keepPart(const Interpretation& interpretation)
+RivalInterpretations::addCloserLook(const Interpretation& interpretation)
 {
-  const float trust = interpretation.estimate.trust_of_part;
-  if (trust > (part_ ? part_->estimate.trust_of_part : 0.0F)) {
-    part_ = interpretation;
+  if (interpretation.estimate.trust_of_part <= 0.0F) {
+    return;
   }
+  const std::vector<char> left_out = unsupportedInInput(interpretation);
+  const auto is_same = [&left_out](const std::vector<char>& other) {
+    return areMostlyShared(left_out, other);
+  };
+  if (std::any_of(left_out_.begin(), left_out_.end(), is_same)) {
+    takeIfMoreTrusted(part_, interpretation);
+  }
+  if (looked_at_ && is_same(left_out_[look_at_it_])) {
+    takeIfMoreTrusted(part_, *looked_at_);
+  }
+  if (takeIfMoreTrusted(looked_at_, interpretation)) {
+    look_at_it_ = left_out_.size();
+  }
+  left_out_.push_back(left_out);
 }
 
 /** How much speaks for the map of a rival. */
