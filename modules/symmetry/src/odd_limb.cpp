@@ -164,7 +164,6 @@ mapWithoutLimb(const CandidateLimb& candidate,
   const std::vector<Index> known = mapOnSurface(rest.surface, whole);
   RobustSettings settings = robustSettings(parameters);
   settings.score_to_beat = whole.estimate.search_score;
-  settings.later_contenders = 1; // beside the map of the whole; with two, the same maps come out
   MapEstimate estimate = estimateRobust(rest.surface, parameters, settings, timer, {known});
   if (estimate.status != SymmetryStatus::Symmetric || estimate.is_partial ||
       !movesRoot(limb, rest, estimate.partners)) {
