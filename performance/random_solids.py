@@ -16,13 +16,12 @@ a bent one where its partners do before it was bent. Needs numpy and scipy.
 import argparse
 import json
 import os
-import subprocess
 import tempfile
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
-from random_creatures import NO_SYMMETRY, radius_of
+from random_creatures import radius_of, run
 from scipy.spatial import ConvexHull
 from scipy.special import sph_harm
 
@@ -105,15 +104,12 @@ def score(arguments, folder, shape, kind, seed):
         file.write(f"OFF\n{len(posed)} {len(triangles)} 0\n")
         np.savetxt(file, posed, "%.7g")
         np.savetxt(file, np.c_[np.full(len(triangles), 3), triangles], "%d")
-    command = [os.path.join(arguments.bin, "pcl_intrinsic_symmetry"), name + ".off", "--quiet", "--threads", "1", "--map",
-               name + ".csv", "--report", name + ".json", *(["--as-cloud"] if arguments.as_cloud else [])]
-    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
-    if done.returncode not in (0, NO_SYMMETRY):
-        raise RuntimeError(f"{' '.join(command)}: exit status {done.returncode}: {done.stderr}")
+    found = run([os.path.join(arguments.bin, "pcl_intrinsic_symmetry"), name + ".off", "--threads", "1", "--map",
+                 name + ".csv", "--report", name + ".json", *(["--as-cloud"] if arguments.as_cloud else [])])
     with open(name + ".json") as file:
         report = json.load(file)
     share = 0.0
-    if done.returncode == 0 and kind != "asymmetric":
+    if found.returncode == 0 and kind != "asymmetric":
         partners = np.loadtxt(name + ".csv", delimiter=",", skiprows=1)[:, 1].astype(int)
         error = np.linalg.norm(rest[np.maximum(partners, 0)] - rest * MIRROR, axis=1)
         share = ((partners >= 0) & (error <= radius_of(rest, triangles))).mean()

@@ -8,6 +8,7 @@
 #include <pcl/symmetry/symmetry_result.h>
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,9 +25,10 @@ struct MapEstimate {
   SymmetryStatus status = SymmetryStatus::NoSymmetry;
   std::string message; ///< why the status is not Symmetric
   float confidence = 0.0F;
-  float map_confidence = 0.0F;       ///< of the map as it came out, also where it is refused
-  float misfit = 0.0F;               ///< of the map: SampleEstimate::value, a logarithm, the lower the better
-  float search_score = 0.0F;         ///< of the best candidate of the search: MapScore::value, the lower the better
+  float map_confidence = 0.0F; ///< of the map as it came out, also where it is refused
+  float misfit = 0.0F;         ///< of the map: SampleEstimate::value, a logarithm, the lower the better
+  /** Of the best candidate of the search: MapScore::value, the lower the better; infinite where nothing was searched. */
+  float search_score = std::numeric_limits<float>::infinity();
   float known_holes = 0.0F;          ///< share of the samples into whose cells holes of a mesh reach; 0 for a cloud
   float unsupported_share = 0.0F;    ///< of the area: parts without a counterpart, see Support
   float supported_confidence = 0.0F; ///< of the map of the rest; map_confidence where all is supported
