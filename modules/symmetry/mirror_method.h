@@ -45,6 +45,9 @@ struct PlaneComparison {
   bool moves_farther = false;
   bool crosses = false;   ///< some of the rest goes to what else the plane leaves out, on its other side
   bool exchanges = false; ///< most of the rest has a counterpart: it changes places, as the limbs of a posed body do
+  /** Most of the rest goes to the rest, every piece of which is rooted where such a root has its image: it is posed, as a
+   * head that is turned. See areRootedAlike (). */
+  bool keeps_roots = false;
 };
 
 PlaneComparison

@@ -10,6 +10,7 @@
 #include "symmetry/interpretation_maps.h"
 #include "symmetry/map_delivery.h"
 #include "symmetry/mirror/mirror_map.h"
+#include "symmetry/mirror/rooted_pieces.h"
 #include "symmetry/mirror/surface_distance.h"
 #include "symmetry/search/map_score.h"
 #include "symmetry/sides/side_names.h"
@@ -226,6 +227,7 @@ compareWithPlane(const SampledSurface& sampled,
     }
   }
   float rest = 0.0F;
+  float kept = 0.0F;
   float exchanged = 0.0F;
   float crossed = 0.0F;
   for (std::size_t i = 0; i < is_off.size(); ++i) {
@@ -233,6 +235,7 @@ compareWithPlane(const SampledSurface& sampled,
       continue;
     }
     rest += sampled.coarse.areas[i];
+    kept += is_off[samples.map[i]] != 0 ? sampled.coarse.areas[i] : 0.0F;
     const float heights =
         fit.plane.height(sampled.coarse.points[i]) * fit.plane.height(surface.points[samples.partners[i]]);
     crossed += is_off[samples.map[i]] != 0 && heights < 0.0F ? sampled.coarse.areas[i] : 0.0F;
@@ -243,7 +246,8 @@ compareWithPlane(const SampledSurface& sampled,
       exchanged += sampled.coarse.areas[i];
     }
   }
-  return {!areAlike(by_map, by_plane), way_by_map > much * way_by_plane, crossed > 0.0F, 2.0F * exchanged > rest};
+  return {!areAlike(by_map, by_plane), way_by_map > much * way_by_plane, crossed > 0.0F, 2.0F * exchanged > rest,
+          2.0F * kept > rest && areRootedAlike(sampled.coarse, is_off, fit.plane, SupportSettings{}.least_area)};
 }
 
 MapEstimate

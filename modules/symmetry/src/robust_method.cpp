@@ -31,8 +31,10 @@ tooFewPoints()
  * certain the map is. But a plier is its own mirror image through its thickness, and a doll front to back, while what
  * people mean is that its limbs change places: a plane that moves the surface much less than a sure map does not count.
  *
- * Where a map does the same the plane is more precise. What it leaves out may be a pose, which the map explains, refused or
- * not: limbs, which go to each other, across the plane. An odd part is sent into itself, or anywhere. */
+ * Where a map does the same the plane is more precise. What it leaves out may be a pose, which the map explains: refused or
+ * not, limbs that go to each other, across the plane; where the map of the whole is as certain as the plane also a head or a
+ * tail, which goes to itself, across the plane that it is rooted in. An odd part is sent into itself, or anywhere, and is
+ * rooted on one side. */
 bool
 explainsMore(const MirrorFit& plane,
              const SampledSurface& sampled,
@@ -48,7 +50,8 @@ explainsMore(const MirrorFit& plane,
     const bool is_in_doubt = estimate.confidence < std::min(plane.share, in_doubt);
     return is_in_doubt || (map.contradicts ? !map.moves_farther : !map.crosses || carriesAll(plane, sampled, settings));
   }
-  const bool explains_rest = !map.contradicts && map.exchanges;
+  const bool is_posed_in_plane = map.keeps_roots && map.crosses && estimate.confidence >= plane.share;
+  const bool explains_rest = !map.contradicts && (map.exchanges || is_posed_in_plane);
   const bool is_certain = sampled.surface.part_of.empty() && estimate.trust >= plane.share &&
                           (map.contradicts ? map.moves_farther : map.crosses);
   return !explains_rest && !is_certain;

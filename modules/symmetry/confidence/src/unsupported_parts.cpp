@@ -1,6 +1,6 @@
 #include "symmetry/confidence/unsupported_parts.h"
 
-#include "base/union_find.h"
+#include "geodesic/marked_groups.h"
 #include "geodesic/shortest_paths.h"
 #include "symmetry/surface/point_areas.h"
 
@@ -9,29 +9,10 @@
 
 namespace pcl {
 namespace symmetry {
-namespace {
-
-/** Connected groups of the points with a mark. */
-UnionFind
-groupsOf(const PreparedSurface& surface, const std::vector<char>& marks)
-{
-  UnionFind groups(surface.size());
-  for (std::size_t v = 0; v < surface.size(); ++v) {
-    for (const Index w : surface.graph.neighboursOf(v)) {
-      if (marks[v] != 0 && marks[w] != 0) {
-        groups.join(static_cast<Index>(v), w);
-      }
-    }
-  }
-  return groups;
-}
-
-} // namespace
-
 void
 dropSmallParts(const PreparedSurface& surface, float least_share, std::vector<char>& is_unsupported)
 {
-  UnionFind groups = groupsOf(surface, is_unsupported);
+  UnionFind groups = markedGroups(surface.graph, is_unsupported);
   const std::vector<float> areas = pointAreas(surface);
   std::vector<double> of_group(surface.size(), 0.0);
   double all = 0.0;
@@ -62,7 +43,7 @@ shareWithPartner(const PreparedSurface& surface, const std::vector<Index>& partn
 std::vector<UnsupportedPart>
 unsupportedParts(const PreparedSurface& surface, const std::vector<char>& is_unsupported)
 {
-  UnionFind groups = groupsOf(surface, is_unsupported);
+  UnionFind groups = markedGroups(surface.graph, is_unsupported);
   std::vector<Index> supported;
   for (std::size_t v = 0; v < surface.size(); ++v) {
     if (is_unsupported[v] == 0) {
