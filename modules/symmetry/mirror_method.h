@@ -43,11 +43,11 @@ struct PlaneComparison {
   /** What the plane carries onto the surface the map moves much farther, on average: the plane exchanges the faces of a
    * sheet, or front and back. */
   bool moves_farther = false;
-  bool crosses = false;   ///< some of the rest goes to what else the plane leaves out, on its other side
   bool exchanges = false; ///< most of the rest has a counterpart: it changes places, as the limbs of a posed body do
-  /** Most of the rest goes to the rest, every piece of which is rooted where such a root has its image: it is posed, as a
-   * head that is turned. See areRootedAlike (). */
-  bool keeps_roots = false;
+  /** The rest is the same in another pose, as a head that is turned or a leg that is raised: it changes places, or most of
+   * it goes to the rest, some across the plane, and every piece is rooted where the plane carries such a root, see
+   * areRootedAlike (). */
+  bool is_pose = false;
 };
 
 PlaneComparison

@@ -220,6 +220,45 @@ TEST(OddParts, PosedLimbsOfADollAreNone)
   EXPECT_LT(doll.points[static_cast<std::size_t>(result.partners[static_cast<std::size_t>(hand)])][0], -1.0F);
 }
 
+/** An animal, mirrored in x = 0 but for its head, which looks aside, with eyes that are parts of their own. */
+Surface
+animalThatLooksAside()
+{
+  using V = Eigen::Vector3d;
+  const V ahead(0.6, 0.8, 0.0);
+  const V aside(0.8, -0.6, 0.0);
+  const V nape(0.0, 1.7, 0.6);
+  std::vector<RoundCone> cones;
+  cones.emplace_back(V(0.0, 0.0, 0.0), 0.3, V(0.0, 1.2, 0.0), 0.32);
+  cones.emplace_back(V(0.0, 1.2, 0.1), 0.2, nape, 0.16);
+  cones.emplace_back(nape, 0.17, nape + 0.5 * ahead, 0.1);
+  cones.emplace_back(V(0.0, -0.25, 0.1), 0.06, V(0.0, -0.8, -0.2), 0.04);
+  for (const double side : {-1.0, 1.0}) {
+    for (const double y : {0.0, 1.2}) {
+      cones.emplace_back(V(0.18 * side, y, -0.15), 0.12, V(0.2 * side, y, -1.0), 0.08);
+    }
+  }
+  Surface animal = skinOf(std::move(cones), 0.05);
+  for (const double side : {-1.0, 1.0}) {
+    const V eye = nape + 0.15 * ahead + 0.16 * side * aside + V(0.0, 0.0, 0.08);
+    const auto at = [&eye](double way) {
+      return Vector3{static_cast<float>(eye[0] + way), static_cast<float>(eye[1] + way),
+                     static_cast<float>(eye[2] + way)};
+    };
+    addBox(animal, at(-0.03), at(0.03));
+  }
+  return animal;
+}
+
+TEST(OddParts, AHeadThatIsTurnedIsNone)
+{
+  const Surface animal = animalThatLooksAside();
+  const SymmetryResult result = estimateIntrinsicSymmetry(animal);
+  EXPECT_EQ(result.status, SymmetryStatus::Symmetric) << result.message;
+  EXPECT_GE(matched(result), animal.size() - 2) << "a corner of each eye at most, which lie skew to the head";
+  ASSERT_GT(result.input.linked_parts, 1U) << "of an object in one part the map speaks anyway";
+}
+
 TEST(OddParts, AnOddLimbOfAFigureIsOne)
 {
   const Surface figure = figureWithRaisedArm(false);

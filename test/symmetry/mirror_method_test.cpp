@@ -159,7 +159,7 @@ TEST_F(PosedBars, AreExchangedByAMapThatAgreesWithThePlaneElsewhere)
                        fit_, {});
   EXPECT_FALSE(compared.contradicts);
   EXPECT_TRUE(compared.exchanges);
-  EXPECT_TRUE(compared.crosses);
+  EXPECT_TRUE(compared.is_pose);
 }
 
 TEST_F(PosedBars, AreNotExchangedWhereEachStaysAtItsPlace)
@@ -171,7 +171,7 @@ TEST_F(PosedBars, AreNotExchangedWhereEachStaysAtItsPlace)
                        fit_, {});
   EXPECT_FALSE(compared.contradicts);
   EXPECT_FALSE(compared.exchanges);
-  EXPECT_FALSE(compared.crosses);
+  EXPECT_FALSE(compared.is_pose);
 }
 
 /** Each bar changes places with one that lies in the plane and is its own image: they are no pair of limbs. */

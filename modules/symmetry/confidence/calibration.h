@@ -79,7 +79,7 @@ struct PointCalibration {
 
 /** \brief Where a score alone tells right from wrong. */
 struct ScoreCalibration {
-  float even = -0.6F; ///< MapScore::value at which right and wrong are equally likely
+  float even = 0.0F; ///< MapScore::value at which right and wrong are equally likely
   float slope = 4.0F;
   float curvature_bound = 0.9F;  ///< more differs over most of the surface
   float distorted_bound = 0.25F; ///< a quarter of the landmarks: a limb

@@ -22,13 +22,5 @@ namespace symmetry {
 float
 logMisfit(const std::vector<PatchFit>& fits, const PatchFit& mean, float weight_of_median);
 
-/** \brief Logarithm of the displacement of a map, as far as it makes any misfit small.
- *
- * Where an image is near, what is around it is near as well, and faces the same way, whether the map is right or not: a
- * limb that is mirrored in itself fits without effort.
- * \param[in] displacement MapScore::displacement */
-float
-logDisplacement(float displacement);
-
 } // namespace symmetry
 } // namespace pcl

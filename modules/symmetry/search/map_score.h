@@ -11,9 +11,13 @@ namespace symmetry {
 
 /** \brief Measures of a map m, lengths as shares of the diameter; the lower \a value the better. */
 struct MapScore {
-  float isometry = 1.0F;      ///< mean |d (i, j) - d (m (i), m (j))|
-  float involution = 1.0F;    ///< mean d (i, m (m (i)))
-  float displacement = 0.0F;  ///< mean d (i, m (i))
+  float isometry = 1.0F;     ///< mean |d (i, j) - d (m (i), m (j))|
+  float involution = 1.0F;   ///< mean d (i, m (m (i)))
+  float displacement = 0.0F; ///< mean d (i, m (i))
+  /** Mean of log d (i, m (i)), as far as that is at most a fifth. Where an image is near, distances change little, whether
+   * the map is right or not: a limb that is mirrored in itself fits without effort. What moves far does not make up for it,
+   * as in \a displacement, and how far beyond a fifth tells nothing: head to tail is farther than left to right. */
+  float log_displacement = -6.2F;
   float nearest_image = 1.0F; ///< d (i, m (i)) of the 2 % that move least: near 0 where the map has an axis
   float fixed = 1.0F;         ///< share of landmarks that move less than 6 %
   float reversal = 0.0F;      ///< share of the area that is turned over: near 1 for a reflection, 0 for a rotation
@@ -24,6 +28,7 @@ struct MapScore {
 
 /** \brief Weights of the measures in MapScore::value. */
 struct ScoreWeights {
+  float resolution = 2e-3F; ///< displacement that cannot be told from none, share of the diameter
   float displacement = 0.8F;
   float reversal = 2.0F;
   float fixed = 3.0F;

@@ -17,8 +17,11 @@ struct SearchSettings {
   bool sign_patterns = true;
   std::size_t pairings = 60; ///< hypotheses from extremities, 0: none
   ScoreWeights score;
-  std::size_t coarse_queries = 120;            ///< landmarks matched per hypothesis,
-  std::size_t coarse_targets = 300;            ///< among so many
+  std::size_t coarse_queries = 120; ///< landmarks matched per hypothesis,
+  std::size_t coarse_targets = 300; ///< among so many
+  /** How far these are apart, share of the diameter: what moves less stays where it is. Without it the midline counts as if it
+   * did not move at all, and right hypotheses are dropped (an ant). */
+  float coarse_resolution = 0.085F;
   std::size_t refined = 16;                    ///< distinct candidates that are refined
   std::vector<int> levels{14, 18, 24, 32, 40}; ///< eigenfunctions used by the refinement
   DescriptorWeights guide{10, 0.5F, 0.3F};     ///< of the local parts that guide the refinement

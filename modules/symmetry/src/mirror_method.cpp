@@ -246,8 +246,10 @@ compareWithPlane(const SampledSurface& sampled,
       exchanged += sampled.coarse.areas[i];
     }
   }
-  return {!areAlike(by_map, by_plane), way_by_map > much * way_by_plane, crossed > 0.0F, 2.0F * exchanged > rest,
-          2.0F * kept > rest && areRootedAlike(sampled.coarse, is_off, fit.plane, SupportSettings{}.least_area)};
+  const bool exchanges = 2.0F * exchanged > rest;
+  const bool is_pose = exchanges || (crossed > 0.0F && 2.0F * kept > rest &&
+                                     areRootedAlike(sampled.coarse, is_off, fit.plane, SupportSettings{}.least_area));
+  return {!areAlike(by_map, by_plane), way_by_map > much * way_by_plane, exchanges, is_pose};
 }
 
 MapEstimate

@@ -33,8 +33,8 @@ tooFewPoints()
  *
  * Where a map does the same the plane is more precise. What it leaves out may be a pose, which the map explains: refused or
  * not, limbs that go to each other, across the plane; where the map of the whole is as certain as the plane also a head or a
- * tail, which goes to itself, across the plane that it is rooted in. An odd part is sent into itself, or anywhere, and is
- * rooted on one side. */
+ * tail, which goes to itself, across the plane that it is rooted in (PlaneComparison::is_pose). An odd part is sent into
+ * itself, or anywhere, and is rooted on one side. */
 bool
 explainsMore(const MirrorFit& plane,
              const SampledSurface& sampled,
@@ -48,12 +48,11 @@ explainsMore(const MirrorFit& plane,
   const PlaneComparison map = compareWithPlane(sampled, contenders.front().samples, plane, settings);
   if (!plane.is_of_part) {
     const bool is_in_doubt = estimate.confidence < std::min(plane.share, in_doubt);
-    return is_in_doubt || (map.contradicts ? !map.moves_farther : !map.crosses || carriesAll(plane, sampled, settings));
+    return is_in_doubt || (map.contradicts ? !map.moves_farther : !map.is_pose || carriesAll(plane, sampled, settings));
   }
-  const bool is_posed_in_plane = map.keeps_roots && map.crosses && estimate.confidence >= plane.share;
-  const bool explains_rest = !map.contradicts && (map.exchanges || is_posed_in_plane);
+  const bool explains_rest = !map.contradicts && (map.exchanges || (map.is_pose && estimate.confidence >= plane.share));
   const bool is_certain = sampled.surface.part_of.empty() && estimate.trust >= plane.share &&
-                          (map.contradicts ? map.moves_farther : map.crosses);
+                          (map.contradicts ? map.moves_farther : map.is_pose);
   return !explains_rest && !is_certain;
 }
 

@@ -53,12 +53,4 @@ TEST(MapMisfit, OfExactPatchesIsFinite)
   EXPECT_GT(misfitOf(std::vector<PatchFit>(patches, PatchFit{0.0F, 0.0F})), -14.0F);
 }
 
-TEST(LogDisplacement, GrowsUpToHalfTheDiameter)
-{
-  EXPECT_LT(logDisplacement(0.1F), logDisplacement(0.2F) - 0.6F) << "twice as much";
-  EXPECT_LT(logDisplacement(0.4F), logDisplacement(0.5F));
-  EXPECT_EQ(logDisplacement(0.5F), logDisplacement(0.9F));
-  EXPECT_GT(logDisplacement(0.0F), -7.0F);
-}
-
 } // namespace

@@ -70,12 +70,12 @@ TEST(SampleRefinement, ItsValueHasTheFitOfThePatchesAndTheDisplacementInIt)
   RefinementSettings settings = settingsFor(body);
   const SampleEstimate found = SampleRefinement(sampled, settings).refine(candidateOf(body, body.trueMap()));
   const float fit = logMisfit(found.fits, found.fit, settings.median_turn);
-  const float displacement = logDisplacement(found.score.displacement);
+  const float displacement = found.score.log_displacement;
   ASSERT_LT(displacement, -0.5F);
   EXPECT_NEAR(found.value, found.score.value + settings.fit * fit - settings.displacement * displacement, 1e-4F);
   settings.displacement = 0.0F;
   const SampleEstimate without = SampleRefinement(sampled, settings).refine(candidateOf(body, body.trueMap()));
-  EXPECT_GT(found.value, without.value + 0.2F) << "what moves less than half of the diameter";
+  EXPECT_GT(found.value, without.value + 0.2F) << "what moves less than a fifth of the diameter";
 }
 
 } // namespace

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numeric>
+
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
 
@@ -66,6 +69,62 @@ TEST(MapScore, TheTrueMapIsBetterThanIdentityAndThanChance)
   EXPECT_LT(true_map.value, by_chance.value);
   EXPECT_FALSE(isReflection(by_chance));
   EXPECT_LT(scoreConfidence(by_chance), scoreConfidence(true_map));
+}
+
+/** Of two maps that move as much on average the one is worse that leaves some where they are. */
+TEST(MapScore, WhatMovesFarDoesNotMakeUpForWhatStandsStill)
+{
+  const CoarseBody& body = human();
+  const auto at = [&body](Index i, Index j) {
+    return body.landmarks.distances(i, j) / body.landmarks.diameter;
+  };
+  SampleMap all_move = identity(250);
+  SampleMap half_moves = identity(250);
+  float moved = 0.0F;
+  for (Index i = 0; i < 250; ++i) { // about a fifth and about two fifths of the diameter
+    const auto nearest_to = [&](float way) {
+      Index found = i;
+      for (Index j = 0; j < 250; ++j) {
+        found = std::abs(at(i, j) - way) < std::abs(at(i, found) - way) ? j : found;
+      }
+      return found;
+    };
+    all_move[i] = nearest_to(0.2F);
+    half_moves[i] = i % 2 == 0 ? i : nearest_to(0.4F);
+    moved += at(i, all_move[i]) / 250.0F;
+  }
+  const MapScore even = scoreOf(body, all_move);
+  const MapScore uneven = scoreOf(body, half_moves);
+  ASSERT_NEAR(even.displacement, moved, 1e-5F);
+  ASSERT_NEAR(uneven.displacement, even.displacement, 0.02F);
+  EXPECT_NEAR(even.log_displacement, std::log(0.2F), 0.1F);
+  EXPECT_LT(uneven.log_displacement, even.log_displacement - 2.0F);
+}
+
+TEST(MapScore, HowFarBeyondAFifthOfTheDiameterTellsNothing)
+{
+  const CoarseBody& body = human();
+  SampleMap across(250);
+  for (Index i = 0; i < 250; ++i) {
+    Eigen::Index farthest = 0;
+    body.landmarks.distances.col(i).maxCoeff(&farthest);
+    across[i] = static_cast<Index>(farthest);
+  }
+  const MapScore score = scoreOf(body, across);
+  ASSERT_GT(score.displacement, 0.4F);
+  EXPECT_NEAR(score.log_displacement, std::log(0.2F + ScoreWeights{}.resolution), 1e-3F);
+}
+
+/** What cannot be told from standing still counts less against a map where landmarks are far apart. */
+TEST(MapScore, TheResolutionBoundsWhatStandingStillCosts)
+{
+  const CoarseBody& body = human();
+  const ShapeDescriptor descriptor = describeShape(body.coarse, body.basis, 8, DescriptorWeights{});
+  ScoreWeights weights;
+  weights.resolution = 0.1F;
+  const SampleMap map = identity(250);
+  EXPECT_NEAR(scoreMap(body.landmarks, descriptor, map, map.size(), weights).log_displacement, std::log(0.1F), 1e-5F);
+  EXPECT_NEAR(scoreOf(body, map).log_displacement, std::log(ScoreWeights{}.resolution), 1e-4F);
 }
 
 TEST(MapScore, AReflectionIsToldFromAHalfTurn)

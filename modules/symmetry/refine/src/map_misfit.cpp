@@ -21,13 +21,5 @@ logMisfit(const std::vector<PatchFit>& fits, const PatchFit& mean, float weight_
          weight_of_median * std::log(median(std::move(turns)) + least_median_turn);
 }
 
-float
-logDisplacement(float displacement)
-{
-  constexpr float most = 0.5F;   // share of the diameter: few reflections move more; by hand
-  constexpr float least = 2e-3F; // keeps the logarithm finite
-  return std::log(std::min(displacement, most) + least);
-}
-
 } // namespace symmetry
 } // namespace pcl

@@ -89,7 +89,7 @@ SampleRefinement::refine(const SymmetryCandidate& candidate) const
     estimate.fit = meanOf(estimate.fits);
     estimate.worst_distance = worstDistance(estimate.fits);
     estimate.value += settings_.fit * logMisfit(estimate.fits, estimate.fit, settings_.median_turn) -
-                      settings_.displacement * logDisplacement(estimate.score.displacement);
+                      settings_.displacement * estimate.score.log_displacement;
   }
   return estimate;
 }

@@ -9,6 +9,11 @@ namespace pcl {
 namespace symmetry {
 namespace {
 
+constexpr float floor = 2e-3F; // sampling noise: no map is better than this
+/** Displacement from which on a landmark is moved. Of 0.03 to 0.3, fitted by performance/calibrate_misfit.py: 0.15 and 0.2
+ * are the best, whichever set is left out. */
+constexpr float enough = 0.2F;
+
 /** Mean |d (i, j) - d (m (i), m (j))| over the first \a queries landmarks j, share of the diameter. */
 float
 distanceChange(const LandmarkSurface& landmarks, const SampleMap& map, std::size_t i, std::size_t queries)
@@ -90,12 +95,14 @@ measureMap(const LandmarkSurface& landmarks,
            const ShapeDescriptor& descriptor,
            const SampleMap& map,
            const SampleMap& inverse,
-           std::size_t queries)
+           std::size_t queries,
+           float resolution)
 {
   MapScore score;
   measureIsometry(landmarks, map, std::min(queries, map.size()), score);
   double involution = 0.0;
   double displacement = 0.0;
+  double log_displacement = 0.0;
   constexpr float hardly = 0.06F; // share of the diameter: as far as landmarks are apart; by hand
   std::size_t fixed = 0;
   std::vector<float> ways;
@@ -103,6 +110,7 @@ measureMap(const LandmarkSurface& landmarks,
     const auto row = static_cast<Eigen::Index>(i);
     const float moved = landmarks.distances(row, map[i]) / landmarks.diameter;
     displacement += moved;
+    log_displacement += std::log(std::min(moved, enough) + resolution);
     ways.push_back(moved);
     fixed += moved < hardly ? 1U : 0U;
     if (static_cast<std::size_t>(map[i]) < map.size()) {
@@ -112,6 +120,7 @@ measureMap(const LandmarkSurface& landmarks,
   const auto count = static_cast<double>(map.size());
   score.involution = static_cast<float>(involution / count);
   score.displacement = static_cast<float>(displacement / count);
+  score.log_displacement = static_cast<float>(log_displacement / count);
   score.fixed = static_cast<float>(static_cast<double>(fixed) / count);
   const auto nearest = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 50);
   std::nth_element(ways.begin(), nearest, ways.end());
@@ -125,11 +134,8 @@ measureMap(const LandmarkSurface& landmarks,
 float
 valueOf(const MapScore& score, float oriented, const ScoreWeights& weights)
 {
-  constexpr float floor = 2e-3F;        // sampling noise: no map is better than this
   constexpr float largest_fixed = 0.3F; // a reflection keeps only a curve
-  constexpr float enough = 0.3F;        // displacement of a reflection that moves most of the surface
-  return std::log(score.isometry + 0.5F * score.involution + floor) -
-         weights.displacement * std::log(std::min(score.displacement, enough) + floor) +
+  return std::log(score.isometry + 0.5F * score.involution + floor) - weights.displacement * score.log_displacement +
          weights.reversal * (1.0F - oriented) + weights.fixed * std::max(0.0F, score.fixed - largest_fixed) +
          weights.curvature * score.curvature;
 }
@@ -143,7 +149,7 @@ scoreMap(const LandmarkSurface& landmarks,
          std::size_t queries,
          const ScoreWeights& weights)
 {
-  MapScore score = measureMap(landmarks, descriptor, map, map, queries);
+  MapScore score = measureMap(landmarks, descriptor, map, map, queries, weights.resolution);
   score.value = valueOf(score, score.reversal, weights);
   return score;
 }
@@ -155,7 +161,7 @@ scoreRotation(const LandmarkSurface& landmarks,
               const SampleMap& inverse,
               const ScoreWeights& weights)
 {
-  MapScore score = measureMap(landmarks, descriptor, map, inverse, map.size());
+  MapScore score = measureMap(landmarks, descriptor, map, inverse, map.size(), weights.resolution);
   score.value = valueOf(score, 1.0F - score.reversal, weights);
   return score;
 }
