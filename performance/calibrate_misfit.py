@@ -11,7 +11,7 @@ Two weights are fitted, of the median turn of the patches and of the displacemen
 pairs the one that takes the best maps, by the mean Correspondence Rate. One data set at a time is left out, the weights
 are fitted to the others and judged on it: rate and Mesh Rate (share of the models with a rate above 75 %) of the maps
 that are taken without the two, with those of the fit, with those in the tree, and of the best contender there is. The
-floors and bounds of modules/symmetry/refine/src/map_misfit.cpp are repeated here. Limbs were exchanged from the map that
+floors of modules/symmetry/refine/src/map_misfit.cpp are repeated here. Limbs were exchanged from the map that
 is best by the weights in the tree, whatever the weights: the fit does not see which others would have been made.
 """
 import sys
@@ -32,7 +32,7 @@ def columns(rows):
         return np.array([float(row[name]) for row in rows])
 
     plain = column("score") + 0.5 * np.log(column("fit_distance") + 2e-3) + np.log(column("fit_turn") + 0.01)
-    return plain, np.log(column("turn") + 0.005), np.log(np.minimum(column("displacement"), 0.5) + 2e-3)
+    return plain, np.log(column("turn") + 0.005), column("log_displacement")
 
 
 def taken(parts, first, weights):

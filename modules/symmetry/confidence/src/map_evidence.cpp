@@ -143,6 +143,7 @@ namedMeasures(const MapEvidence& evidence)
           {"isometry", evidence.score.isometry},
           {"involution", evidence.score.involution},
           {"displacement", evidence.score.displacement},
+          {"log_displacement", evidence.score.log_displacement},
           {"nearest_image", evidence.score.nearest_image},
           {"fixed", evidence.score.fixed},
           {"reversal", evidence.score.reversal},

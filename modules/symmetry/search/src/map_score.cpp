@@ -10,8 +10,8 @@ namespace symmetry {
 namespace {
 
 constexpr float floor = 2e-3F; // sampling noise: no map is better than this
-/** Displacement from which on a landmark is moved. Of 0.03 to 0.3, fitted by performance/calibrate_misfit.py: 0.15 and 0.2
- * are the best, whichever set is left out. */
+/** Displacement from which on a landmark is moved. Of 0.03 to 0.3, an open fit with each set left out in turn: see "By the
+ * geometric mean" in doc/decisions/what-moves-little.md. */
 constexpr float enough = 0.2F;
 
 /** Mean |d (i, j) - d (m (i), m (j))| over the first \a queries landmarks j, share of the diameter. */
