@@ -26,6 +26,10 @@ struct MapScore {
   float value = 1e9F;
 };
 
+/** \brief MapScore::nearest_image of a map with an axis, at most: landmarks are a few hundredths of the diameter apart, and the
+ * axis runs between them. */
+constexpr float axis_reach = 0.1F;
+
 /** \brief Weights of the measures in MapScore::value. */
 struct ScoreWeights {
   float resolution = 2e-3F; ///< displacement that cannot be told from none, share of the diameter
@@ -33,6 +37,9 @@ struct ScoreWeights {
   float reversal = 2.0F;
   float fixed = 3.0F;
   float curvature = 0.6F;
+  /** Of what a reflection's nearest image is beyond axis_reach: what has no axis is no reflection (none of 215 maps without one
+   * was right), but moves all of the surface. Anything from 5 to 20 is the same. */
+  float axis = 10.0F;
 };
 
 /** \param[in] descriptor of all samples, for the curvature

@@ -115,6 +115,24 @@ TEST(MapScore, HowFarBeyondAFifthOfTheDiameterTellsNothing)
   EXPECT_NEAR(score.log_displacement, std::log(0.2F + ScoreWeights{}.resolution), 1e-3F);
 }
 
+/** Antipodes change places: distances stay, the orientation turns over, and everything moves, but nothing stands still. */
+TEST(MapScore, AReflectionHasAnAxis)
+{
+  const CoarseBody& body = ellipsoid();
+  const MapScore reflection = scoreOf(body, mapOf(body.landmarks, [](const Vector3& p) -> Vector3 {
+                                        return {p[0], p[1], -p[2]};
+                                      }));
+  const MapScore antipodes = scoreOf(body, mapOf(body.landmarks, [](const Vector3& p) -> Vector3 {
+                                       return {-p[0], -p[1], -p[2]};
+                                     }));
+  EXPECT_LE(reflection.nearest_image, axis_reach);
+  EXPECT_GT(antipodes.nearest_image, axis_reach);
+  EXPECT_GT(antipodes.reversal, 0.7F);
+  EXPECT_GT(antipodes.log_displacement, reflection.log_displacement + 0.3F);
+  EXPECT_LT(reflection.value, antipodes.value);
+  EXPECT_FALSE(isReflection(antipodes));
+}
+
 /** What cannot be told from standing still counts less against a map where landmarks are far apart. */
 TEST(MapScore, TheResolutionBoundsWhatStandingStillCosts)
 {

@@ -31,8 +31,7 @@ reversesEverywhere(const LandmarkSurface& landmarks, const SampleMap& map)
 bool
 hasAxis(const MapScore& score)
 {
-  constexpr float near = 0.1F; // landmarks are a few hundredths of the diameter apart, the axis runs between them
-  return score.nearest_image <= near;
+  return score.nearest_image <= axis_reach;
 }
 
 SampleMap

@@ -150,7 +150,8 @@ scoreMap(const LandmarkSurface& landmarks,
          const ScoreWeights& weights)
 {
   MapScore score = measureMap(landmarks, descriptor, map, map, queries, weights.resolution);
-  score.value = valueOf(score, score.reversal, weights);
+  score.value =
+      valueOf(score, score.reversal, weights) + weights.axis * std::max(0.0F, score.nearest_image - axis_reach);
   return score;
 }
 
