@@ -44,8 +44,8 @@ struct PlaneComparison {
    * sheet, or front and back. */
   bool moves_farther = false;
   bool exchanges = false; ///< most of the rest has a counterpart: it changes places, as the limbs of a posed body do
-  /** The rest is the same in another pose, as a head that is turned or a leg that is raised: it changes places, or most of
-   * it goes to the rest, some across the plane, and every piece is rooted where the plane carries such a root, see
+  /** The rest is the same in another pose, as a head that is turned or a leg that is raised: it changes places, or some of it
+   * goes to the rest on the other side of the plane, and every piece is rooted where the plane carries such a root, see
    * areRootedAlike (). */
   bool is_pose = false;
 };

@@ -26,6 +26,8 @@ struct Subject {
   const char* name;
   std::function<Surface()> make;
   bool has_one_map; ///< there is one symmetry, and it is found; else the status is all that is compared
+  bool is_whole_or_not =
+      false; ///< of which only whether it is whole: what else is found depends on where the samples lie
 };
 
 struct Change {
@@ -78,7 +80,8 @@ const std::vector<Subject> subjects = {
     {"CloudOfAQuadruped", [] { return pointsOf(bent(Body::Quadruped)); }, true},
     {"CloudOfASpider", [] { return pointsOf(bent(Body::Spider)); }, true},
     {"CloudOfABird", [] { return pointsOf(bent(Body::Bird)); }, true},
-    {"Helix", [] { return bent(Body::Helix); }, false},
+    // A tube is its own mirror image along its length, but for its bumps: partly symmetric, or nothing is found.
+    {"Helix", [] { return bent(Body::Helix); }, false, true},
     {"Hills", [] { return bent(Body::Terrain); }, false},
     {"Sphere", [] { return sphereMesh(4); }, false},
     {"Torus", [] { return torusMesh(40, 20, 2.0F, 0.7F); }, false},
@@ -183,6 +186,11 @@ TEST_P(Properties, AreThoseOfTheShape)
   const auto& [surface, before] = known(subject);
   const ChangedSurface changed = change.apply(surface);
   const SymmetryResult after = estimate(changed.surface);
+  if (subject.is_whole_or_not) {
+    EXPECT_NE(before.status, SymmetryStatus::Symmetric);
+    EXPECT_NE(after.status, SymmetryStatus::Symmetric);
+    return;
+  }
   EXPECT_EQ(after.status, before.status) << before.message << "; " << after.message;
   if (subject.has_one_map) {
     ASSERT_EQ(before.status, SymmetryStatus::Symmetric) << before.message;

@@ -20,7 +20,7 @@ namespace symmetry {
  * median, are another place.
  *
  * \param[in] is_off not 0 for the samples whose images do not lie on the surface
- * \param[in] least_share of the area; smaller pieces are overlooked
+ * \param[in] least_share of the area; smaller pieces are overlooked, but for their roots
  * \return false where there is no such piece */
 bool
 areRootedAlike(const CoarseSurface& coarse,
