@@ -48,6 +48,7 @@ struct PlaneComparison {
    * goes to the rest on the other side of the plane, and every piece is rooted where the plane carries such a root, see
    * areRootedAlike (). */
   bool is_pose = false;
+  bool keeps_rest = false; ///< most of the rest goes to the rest: the map has no other use for it
 };
 
 PlaneComparison

@@ -227,6 +227,7 @@ compareWithPlane(const SampledSurface& sampled,
     }
   }
   float rest = 0.0F;
+  float kept = 0.0F;
   float exchanged = 0.0F;
   float crossed = 0.0F;
   for (std::size_t i = 0; i < is_off.size(); ++i) {
@@ -234,6 +235,7 @@ compareWithPlane(const SampledSurface& sampled,
       continue;
     }
     rest += sampled.coarse.areas[i];
+    kept += is_off[samples.map[i]] != 0 ? sampled.coarse.areas[i] : 0.0F;
     const float heights =
         fit.plane.height(sampled.coarse.points[i]) * fit.plane.height(surface.points[samples.partners[i]]);
     crossed += is_off[samples.map[i]] != 0 && heights < 0.0F ? sampled.coarse.areas[i] : 0.0F;
@@ -247,7 +249,7 @@ compareWithPlane(const SampledSurface& sampled,
   const bool exchanges = 2.0F * exchanged > rest;
   const bool is_pose =
       exchanges || (crossed > 0.0F && areRootedAlike(sampled.coarse, is_off, fit.plane, SupportSettings{}.least_area));
-  return {!areAlike(by_map, by_plane), way_by_map > much * way_by_plane, exchanges, is_pose};
+  return {!areAlike(by_map, by_plane), way_by_map > much * way_by_plane, exchanges, is_pose, 2.0F * kept > rest};
 }
 
 MapEstimate

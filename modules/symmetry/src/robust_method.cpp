@@ -50,7 +50,8 @@ explainsMore(const MirrorFit& plane,
     const bool is_in_doubt = estimate.confidence < std::min(plane.share, in_doubt);
     return is_in_doubt || (map.contradicts ? !map.moves_farther : !map.is_pose || carriesAll(plane, sampled, settings));
   }
-  const bool explains_rest = !map.contradicts && (map.exchanges || (map.is_pose && estimate.confidence >= plane.share));
+  const bool explains_rest =
+      !map.contradicts && (map.exchanges || (map.is_pose && map.keeps_rest && estimate.confidence >= plane.share));
   const bool is_certain = sampled.surface.part_of.empty() && estimate.trust >= plane.share &&
                           (map.contradicts ? map.moves_farther : map.is_pose);
   return !explains_rest && !is_certain;
