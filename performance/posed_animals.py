@@ -4,7 +4,7 @@
 usage: posed_animals.py BIN ARCHIVE [--poses N] [--seed S] [--as-cloud] [--jobs J] [--keep FOLDER] [-- OPTIONS]
 
 BIN       folder with pcl_intrinsic_symmetry
-ARCHIVE   public.zip of the game 0 A.D. (measured: release 26), which no file of is part of this project
+ARCHIVE   public.zip of the game 0 A.D. (measured: release 26); no file of it is part of this project
 N         poses of each animal (2), each a frame of one of its animations
 S         which ones (1)
 --as-cloud  6,000 points at random places of the surfaces, without faces
