@@ -19,6 +19,7 @@ import json
 import math
 import os
 import subprocess
+import sys
 import tempfile
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
@@ -96,17 +97,24 @@ def is_right_outcome(result):
     return result["status"] == "partly_symmetric"
 
 
-def main():
-    parser = argparse.ArgumentParser(usage=__doc__.split("\n\n")[1][len("usage: "):])
-    parser.add_argument("bin")
-    parser.add_argument("--bodies", type=int, default=40)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--vertices", type=int, default=7000)
-    parser.add_argument("--jobs", type=int, default=2)
+def read_arguments(document, words, numbers):
+    """The arguments that are words, numbers with their defaults, and what all of these programs have."""
+    parser = argparse.ArgumentParser(usage=document.split("\n\n")[1][len("usage: "):])
+    for name in words:
+        parser.add_argument(name)
+    for name, default in {**numbers, "seed": 1, "jobs": 2}.items():
+        parser.add_argument(f"--{name}", type=int, default=default)
     parser.add_argument("--as-cloud", action="store_true")
     parser.add_argument("--keep")
-    parser.add_argument("options", nargs="*")
-    arguments = parser.parse_args()
+    given = sys.argv[1:]
+    cut = given.index("--") if "--" in given else len(given)
+    arguments = parser.parse_args(given[:cut])
+    arguments.options = given[cut + 1:]
+    return arguments
+
+
+def main():
+    arguments = read_arguments(__doc__, ["bin"], {"bodies": 40, "vertices": 7000})
     jobs = [(kind, arguments.seed + k) for kind in KINDS for k in range(arguments.bodies)]
     with tempfile.TemporaryDirectory() as temporary:
         folder = arguments.keep or temporary

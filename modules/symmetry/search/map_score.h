@@ -14,7 +14,8 @@ struct MapScore {
   float isometry = 1.0F;     ///< mean |d (i, j) - d (m (i), m (j))|
   float involution = 1.0F;   ///< mean d (i, m (m (i)))
   float displacement = 0.0F; ///< mean d (i, m (i))
-  /** Mean of log d (i, m (i)), as far as that is at most a fifth. Where an image is near, distances change little, whether
+  /** Mean of log (d (i, m (i)) + ScoreWeights::resolution), as far as d is at most a fifth; at first that of nobody moving.
+   * Where an image is near, distances change little, whether
    * the map is right or not: a limb that is mirrored in itself fits without effort. What moves far does not make up for it,
    * as in \a displacement, and how far beyond a fifth tells nothing: head to tail is farther than left to right. */
   float log_displacement = -6.2F;

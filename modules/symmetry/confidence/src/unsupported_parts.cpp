@@ -9,6 +9,7 @@
 
 namespace pcl {
 namespace symmetry {
+
 void
 dropSmallParts(const PreparedSurface& surface, float least_share, std::vector<char>& is_unsupported)
 {

@@ -47,14 +47,14 @@ tryHypotheses(const SampledSurface& sampled,
   const auto queries = static_cast<Eigen::Index>(std::min(settings.coarse_queries, landmarks.size()));
   const auto targets = static_cast<Eigen::Index>(std::min(settings.coarse_targets, landmarks.size()));
   const RowSearch search(descriptor.joined(targets));
-  ScoreWeights score = settings.score;
-  score.resolution = settings.coarse_resolution;
+  ScoreWeights weights = settings.score;
+  weights.resolution = settings.coarse_resolution;
   std::vector<SymmetryCandidate> candidates(hypotheses.size());
   parallelFor(hypotheses.size(), [&](std::size_t i) {
     SymmetryCandidate& candidate = candidates[i];
     candidate.matrix = hypotheses[i].action;
     candidate.map = search.nearest(descriptor.mirrored(hypotheses[i].action, queries));
-    candidate.score = scoreMap(landmarks, descriptor, candidate.map, candidate.map.size(), score);
+    candidate.score = scoreMap(landmarks, descriptor, candidate.map, candidate.map.size(), weights);
   });
   return candidates;
 }
