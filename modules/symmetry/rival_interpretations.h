@@ -36,8 +36,12 @@ public:
   void
   add(Interpretation interpretation);
 
-  /** \brief Whether the best interpretation is beyond doubt, or (by votes) most of those added are sure of its map
-   * together, or there is nothing to read. False where there is none. */
+  /** \brief Whether the best interpretation is beyond doubt, or the others agree with it, or there is nothing to read. False
+   * where there is none.
+   *
+   * They agree by votes where most of them are sure of its map together; by odds where three have found it, none another one,
+   * and it is more likely right than not: further ones find it again. A map of a part settles nothing, as one of those to
+   * come may explain the whole. */
   bool
   isSettled() const;
 
@@ -52,12 +56,13 @@ public:
 
   /** \brief Hands over the best one, with the verdict.
    *
-   * By odds see Pooling. By votes its confidence becomes the geometric mean of its own and the mean of all
-   * interpretations, in which those that found another map or none count 0: out of many tries at a body without symmetry
-   * one may look like some. No symmetry was found if less than 0.25 is left, of a cloud with noise or with points at
-   * random places 0.15. Where nothing is left, but closer looks at two of the maps leave out mostly the same part of the
-   * surface, the later one of them is handed over, or the earlier one where that is the most trusted of all on what is left
-   * (MapEstimate::trust_of_part). */
+   * By odds see Pooling; a map in doubt must have been found by more than half of the interpretations: each is told the maps
+   * of those before, and where they choose different ones all the same, none of these is better than the others. By votes its
+   * confidence becomes the geometric mean of its own and the mean of all interpretations, in which those that found another map
+   * or none count 0: out of many tries at a body without symmetry one may look like some. No symmetry was found if less than
+   * 0.25 is left, of a cloud with noise or with points at random places 0.15. Where nothing is left, but closer looks at two of
+   * the maps leave out mostly the same part of the surface, the later one of them is handed over, or the earlier one where that
+   * is the most trusted of all on what is left (MapEstimate::trust_of_part). */
   Interpretation
   takeBest();
 
@@ -77,6 +82,7 @@ private:
   struct Rival {
     Kind whole;
     Kind part;
+    std::size_t interpretations = 0; ///< that found it, refused or not
 
     /** What the surface is: symmetric as a whole or in part. */
     const Kind&
@@ -95,6 +101,12 @@ private:
 
   std::size_t
   bestRival() const;
+
+  bool
+  isSettledByOdds() const;
+
+  bool
+  isSettledByVotes() const;
 
   void
   addCloserLook(const Interpretation& interpretation);

@@ -252,13 +252,12 @@ TEST(RivalsByOdds, OneThatIsSureIsEnough)
   EXPECT_NEAR(best.estimate.confidence, 0.9F, 1e-4F);
 }
 
-TEST(RivalsByOdds, TheBestSpeaksForItsMapHoweverManyAreDoubtful)
+TEST(RivalsByOdds, TheBestSpeaksForItsMapHoweverDoubtfulOthersAre)
 {
   RivalInterpretations rivals(Pooling::Odds);
   rivals.add(mapOf(100, 0.1F));
-  rivals.add(mapOf(100, 0.1F));
   rivals.add(mapOf(0, 0.6F));
-  rivals.add(mapOf(100, 0.1F));
+  rivals.add(mapOf(0, 0.1F));
   const Interpretation best = rivals.takeBest();
   EXPECT_EQ(best.estimate.partners[0], 0);
   EXPECT_NEAR(best.estimate.confidence, 1.5F / (1.0F + 1.5F + 1.0F / 9.0F), 1e-4F);
@@ -269,10 +268,69 @@ TEST(RivalsByOdds, MapsExcludeEachOther)
   RivalInterpretations rivals(Pooling::Odds);
   rivals.add(mapOf(0, 0.7F));
   rivals.add(mapOf(100, 0.7F));
+  rivals.add(mapOf(0, 0.7F));
   EXPECT_FALSE(rivals.isSettled());
   const Interpretation best = rivals.takeBest();
   EXPECT_LT(best.estimate.confidence, 0.5F);
   EXPECT_FLOAT_EQ(best.estimate.confidences[0], withMapConfidence(0.7F, 0.7F, best.estimate.confidence));
+}
+
+TEST(RivalsByOdds, AMapInDoubtThatMostDoNotFindIsNone)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(mapOf(0, 0.6F));
+  rivals.add(mapOf(50, 0.1F));
+  rivals.add(mapOf(0, 0.5F));
+  rivals.add(mapOf(100, 0.1F));
+  const Interpretation best = rivals.takeBest();
+  EXPECT_EQ(best.estimate.status, SymmetryStatus::NoSymmetry);
+  EXPECT_EQ(best.estimate.message, "ways to understand the surface contradict each other");
+  EXPECT_LT(best.estimate.confidence, 0.1F);
+}
+
+TEST(RivalsByOdds, AMapThatIsSureNeedsNoOtherToFindIt)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(mapOf(50, 0.1F));
+  rivals.add(mapOf(100, 0.2F));
+  rivals.add(mapOf(0, 0.9F));
+  EXPECT_TRUE(rivals.isSettled());
+  EXPECT_EQ(rivals.takeBest().estimate.status, SymmetryStatus::Symmetric);
+}
+
+TEST(RivalsByOdds, ThreeThatFindOneMapSettleItIfItIsMoreLikelyThanNot)
+{
+  RivalInterpretations likely(Pooling::Odds);
+  likely.add(mapOf(0, 0.6F));
+  likely.add(mapOf(1, 0.1F));
+  EXPECT_FALSE(likely.isSettled());
+  likely.add(mapOf(2, 0.1F));
+  EXPECT_TRUE(likely.isSettled());
+
+  RivalInterpretations unlikely(Pooling::Odds);
+  for (int i = 0; i < 3; ++i) {
+    unlikely.add(mapOf(0, 0.4F));
+  }
+  EXPECT_FALSE(unlikely.isSettled());
+}
+
+TEST(RivalsByOdds, ThreeThatFindOneMapSettleNothingWhereAFourthFindsAnother)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  rivals.add(mapOf(100, 0.1F));
+  for (int i = 0; i < 3; ++i) {
+    rivals.add(mapOf(0, 0.6F));
+  }
+  EXPECT_FALSE(rivals.isSettled());
+}
+
+TEST(RivalsByOdds, ThreeThatFindOnePartialMapSettleNothing)
+{
+  RivalInterpretations rivals(Pooling::Odds);
+  for (int i = 0; i < 3; ++i) {
+    rivals.add(mapOf(0, 0.9F, true));
+  }
+  EXPECT_FALSE(rivals.isSettled());
 }
 
 TEST(RivalsByOdds, WhatIsDoubtfulThroughoutIsNoSymmetry)
@@ -347,6 +405,7 @@ TEST(RivalsByOdds, AMapOfTheWholeIsBetterThanOneThatOnlyACloserLookShows)
   RivalInterpretations rivals(Pooling::Odds);
   rivals.add(trustedInPart(100, 0.9F));
   rivals.add(mapOf(0, 0.5F));
+  rivals.add(mapOf(0, 0.3F));
   const Interpretation best = rivals.takeBest();
   EXPECT_EQ(best.estimate.status, SymmetryStatus::Symmetric);
   EXPECT_EQ(best.estimate.partners[0], 0U);

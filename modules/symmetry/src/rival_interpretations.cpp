@@ -58,23 +58,32 @@ takeConfidence(MapEstimate& estimate, float confidence)
   estimate.confidence = confidence;
 }
 
-/** Whether the map is found, as a whole or of a part, however it was refused.
- * \param[in] refusal what is said of a map that was a symmetry before others were heard */
+/** The map is none, whatever it was before others were heard.
+ * \param[in] refusal what is said of a map that was a symmetry then */
 void
-giveVerdict(Interpretation& interpretation, float confidence, const char* refusal)
+refuse(Interpretation& interpretation, float confidence, const char* refusal)
 {
   MapEstimate& estimate = interpretation.estimate;
-  if (confidence >= leastOfSeveralInterpretations(interpretation)) {
-    estimate.status = estimate.is_partial ? SymmetryStatus::PartlySymmetric : SymmetryStatus::Symmetric;
-    estimate.message = estimate.is_partial ? "a part of the surface has no counterpart" : "";
-    takeConfidence(estimate, confidence);
-    return;
-  }
   if (estimate.status == SymmetryStatus::Symmetric) {
     estimate.message = refusal;
   }
   estimate.status = SymmetryStatus::NoSymmetry;
   estimate.confidence = confidence_of_refused * confidence;
+}
+
+/** Whether the map is found, as a whole or of a part, however it was refused.
+ * \param[in] refusal see refuse () */
+void
+giveVerdict(Interpretation& interpretation, float confidence, const char* refusal)
+{
+  if (confidence < leastOfSeveralInterpretations(interpretation)) {
+    refuse(interpretation, confidence, refusal);
+    return;
+  }
+  MapEstimate& estimate = interpretation.estimate;
+  estimate.status = estimate.is_partial ? SymmetryStatus::PartlySymmetric : SymmetryStatus::Symmetric;
+  estimate.message = estimate.is_partial ? "a part of the surface has no counterpart" : "";
+  takeConfidence(estimate, confidence);
 }
 
 /** Keeps the map that can be trusted more on what a closer look leaves. */
@@ -121,6 +130,7 @@ RivalInterpretations::add(Interpretation interpretation)
   if (same == rivals_.end()) {
     same = rivals_.insert(rivals_.end(), Rival{});
   }
+  ++same->interpretations;
   Kind& kind = estimate.is_partial ? same->part : same->whole;
   const auto is_better = [&](const MapEstimate& kept) {
     return by_odds || estimate.misfit == kept.misfit ? estimate.trust > kept.trust : estimate.misfit < kept.misfit;
@@ -141,27 +151,14 @@ RivalInterpretations::isSettled() const
   if (rivals_.empty()) {
     return false;
   }
-  const std::size_t best = bestRival();
-  const Kind& kind = rivals_[best].kind();
-  if (kind.kept->estimate.status == SymmetryStatus::TooFewPoints) {
+  const MapEstimate& estimate = best().estimate;
+  if (estimate.status == SymmetryStatus::TooFewPoints) {
     return true;
   }
-  if (kind.kept->estimate.is_partial && !kind.kept->estimate.is_by_plane) {
+  if (estimate.is_partial && !estimate.is_by_plane) {
     return false; // one of those to come may explain the whole
   }
-  if (pooling_ == Pooling::Odds) {
-    return shareOfOdds(best) >= in_doubt;
-  }
-  constexpr float sure_together =
-      2.0F;                       // by hand, as the next: three interpretations that agree, each sure enough alone
-  constexpr float usually = 0.6F; // of all interpretations so far
-  float contradicting = 0.0F;
-  for (std::size_t i = 0; i < rivals_.size(); ++i) {
-    contradicting += i == best ? 0.0F : evidenceOf(rivals_[i]);
-  }
-  const float evidence = evidenceOf(rivals_[best]);
-  const bool is_usual = evidence >= sure_together && evidence >= usually * static_cast<float>(interpretations_);
-  return is_usual || (kind.trust >= beyond_doubt && evidence > contradicting);
+  return pooling_ == Pooling::Odds ? isSettledByOdds() : isSettledByVotes();
 }
 
 const Interpretation&
@@ -196,6 +193,7 @@ RivalInterpretations::takeBest()
   Rival& best = rivals_[number];
   const float share = shareOfOdds(number);
   const float agreement = evidenceOf(best) / static_cast<float>(interpretations_);
+  const bool is_found_by_most = 2 * best.interpretations > interpretations_;
   Kind& kind = &best.kind() == &best.whole ? best.whole : best.part;
   Interpretation interpretation = std::move(*kind.kept);
   const MapEstimate& estimate = interpretation.estimate;
@@ -203,7 +201,13 @@ RivalInterpretations::takeBest()
     return interpretation;
   }
   if (pooling_ == Pooling::Odds) {
-    giveVerdict(interpretation, share, "ways to understand the surface contradict each other");
+    static constexpr const char* contradiction = "ways to understand the surface contradict each other";
+    if (share < in_doubt && !is_found_by_most) {
+      refuse(interpretation, share, contradiction);
+    }
+    else {
+      giveVerdict(interpretation, share, contradiction);
+    }
   }
   else if (interpretations_ > 1 || estimate.is_partial) {
     giveVerdict(interpretation, std::sqrt(agreement * kind.trust),
@@ -239,6 +243,31 @@ RivalInterpretations::addCloserLook(const Interpretation& interpretation)
     look_at_it_ = left_out_.size();
   }
   left_out_.push_back(left_out);
+}
+
+bool
+RivalInterpretations::isSettledByOdds() const
+{
+  constexpr std::size_t enough = 3; // to agree
+  constexpr float more_likely_than_not = 0.5F;
+  const bool are_unanimous = interpretations_ >= enough && rivals_.size() == 1;
+  return shareOfOdds(bestRival()) >= (are_unanimous ? more_likely_than_not : in_doubt);
+}
+
+bool
+RivalInterpretations::isSettledByVotes() const
+{
+  constexpr float sure_together =
+      2.0F;                       // by hand, as the next: three interpretations that agree, each sure enough alone
+  constexpr float usually = 0.6F; // of all interpretations so far
+  const std::size_t best = bestRival();
+  float contradicting = 0.0F;
+  for (std::size_t i = 0; i < rivals_.size(); ++i) {
+    contradicting += i == best ? 0.0F : evidenceOf(rivals_[i]);
+  }
+  const float evidence = evidenceOf(rivals_[best]);
+  const bool is_usual = evidence >= sure_together && evidence >= usually * static_cast<float>(interpretations_);
+  return is_usual || (rivals_[best].kind().trust >= beyond_doubt && evidence > contradicting);
 }
 
 /** How much speaks for the map of a rival. */
