@@ -119,15 +119,17 @@ listOthers(const SampledSurface& sampled,
   map.alternatives.front().partners = map.partners;
 }
 
-/** Maps that differ from the best one in where two limbs go, and come as close as contenders must. */
+/** Maps that differ from a contender in where two limbs go, and come as close as contenders must. */
 std::vector<SymmetryCandidate>
 promisingExchanges(const SampledSurface& sampled,
-                   const Contender& best,
+                   const std::vector<Contender>& contenders,
                    const std::vector<SymmetryCandidate>& candidates,
                    const RobustSettings& settings)
 {
-  std::vector<SymmetryCandidate> exchanged =
-      exchangeLimbs(sampled, best.samples.landmark_map, settings.search, settings.exchange);
+  std::vector<SampleMap> maps(contenders.size());
+  std::transform(contenders.begin(), contenders.end(), maps.begin(),
+                 [](const Contender& contender) { return contender.samples.landmark_map; });
+  std::vector<SymmetryCandidate> exchanged = exchangeLimbs(sampled, maps, settings.search, settings.exchange);
   const float worst = candidates.front().score.value + settings.contender_margin;
   exchanged.erase(std::remove_if(exchanged.begin(), exchanged.end(),
                                  [worst](const SymmetryCandidate& c) { return c.score.value > worst; }),
@@ -203,7 +205,7 @@ estimateRobust(const PreparedSurface& surface,
   // In doubt: is it right but for two limbs? Ends of an object in parts are none.
   std::vector<SymmetryCandidate> exchanged;
   if (estimate.confidence < in_doubt && surface.part_of.empty() && known.empty()) {
-    exchanged = promisingExchanges(sampled, contenders.front(), hypotheses.searched, settings);
+    exchanged = promisingExchanges(sampled, contenders, hypotheses.searched, settings);
   }
   if (!exchanged.empty()) {
     addContenders(refinement, allOf(exchanged), contenders);

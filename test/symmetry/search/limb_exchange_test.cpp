@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 using namespace pcl::symmetry;
 using namespace pcl::symmetry::test;
@@ -53,7 +54,7 @@ TEST(LimbExchange, MakesLegsThatStandStillChangePlaces)
   const SampleMap truth = quadruped().trueMap();
   const SampleMap wrong = mapWithStandingLegs(quadruped(), truth);
   ASSERT_GT(mapDifference(quadruped().landmarks, wrong, truth), 0.04F);
-  const std::vector<SymmetryCandidate> candidates = exchangeLimbs(quadruped().sampled(), wrong, {}, {});
+  const std::vector<SymmetryCandidate> candidates = exchangeLimbs(quadruped().sampled(), {wrong}, {}, {});
   ASSERT_FALSE(candidates.empty());
   EXPECT_LE(candidates.size(), LimbExchangeSettings{}.exchanges);
   EXPECT_LT(leastDifference(quadruped(), candidates, truth), 0.025F) << "about the spacing of the landmarks";
@@ -62,7 +63,7 @@ TEST(LimbExchange, MakesLegsThatStandStillChangePlaces)
 TEST(LimbExchange, AlsoUndoesAnExchange)
 {
   const SampleMap truth = quadruped().trueMap();
-  const std::vector<SymmetryCandidate> candidates = exchangeLimbs(quadruped().sampled(), truth, {}, {});
+  const std::vector<SymmetryCandidate> candidates = exchangeLimbs(quadruped().sampled(), {truth}, {}, {});
   const auto [first, second] = endsOfLegs(quadruped(), truth);
   EXPECT_TRUE(std::any_of(candidates.begin(), candidates.end(),
                           [&, end = first](const SymmetryCandidate& candidate) {
@@ -79,14 +80,42 @@ TEST(LimbExchange, LeavesAloneWhatSendsEndsNowhere)
   const auto middle =
       static_cast<Index>(std::min_element(landmarks.average_distance.begin(), landmarks.average_distance.end()) -
                          landmarks.average_distance.begin());
-  EXPECT_TRUE(exchangeLimbs(quadruped().sampled(), SampleMap(landmarks.size(), middle), {}, {}).empty());
+  EXPECT_TRUE(exchangeLimbs(quadruped().sampled(), {SampleMap(landmarks.size(), middle)}, {}, {}).empty());
+}
+
+/** The best of several maps may be another kind of mistake, from which no exchange leads to the right one. */
+TEST(LimbExchange, StartsFromEachMap)
+{
+  const SampleMap truth = quadruped().trueMap();
+  SampleMap nobody_moves(truth.size());
+  std::iota(nobody_moves.begin(), nobody_moves.end(), 0);
+  const auto exchanged = [](const std::vector<SampleMap>& maps) {
+    return exchangeLimbs(quadruped().sampled(), maps, {}, {});
+  };
+  EXPECT_GT(leastDifference(quadruped(), exchanged({nobody_moves}), truth), 0.04F);
+  const SampleMap wrong = mapWithStandingLegs(quadruped(), truth);
+  EXPECT_LT(leastDifference(quadruped(), exchanged({nobody_moves, wrong}), truth), 0.025F);
+}
+
+TEST(LimbExchange, MakesNoMapTwice)
+{
+  const SampleMap truth = quadruped().trueMap();
+  const SampleMap wrong = mapWithStandingLegs(quadruped(), truth);
+  const std::size_t of_truth = exchangeLimbs(quadruped().sampled(), {truth}, {}, {}).size();
+  EXPECT_EQ(exchangeLimbs(quadruped().sampled(), {truth, truth}, {}, {}).size(), of_truth);
+
+  // Each is an exchange of the other: none of the candidates pairs the ends as one of them does.
+  const std::vector<SymmetryCandidate> of_both = exchangeLimbs(quadruped().sampled(), {truth, wrong}, {}, {});
+  ASSERT_FALSE(of_both.empty());
+  EXPECT_GT(leastDifference(quadruped(), of_both, truth), 0.03F);
+  EXPECT_GT(leastDifference(quadruped(), of_both, wrong), 0.03F);
 }
 
 TEST(LimbExchange, DoesNotDependOnTheNumberOfThreads)
 {
   const SampleMap truth = quadruped().trueMap();
   const auto run = [&] {
-    return exchangeLimbs(quadruped().sampled(), truth, {}, {});
+    return exchangeLimbs(quadruped().sampled(), {truth}, {}, {});
   };
   const std::vector<SymmetryCandidate> one = withThreads(1, run);
   const std::vector<SymmetryCandidate> three = withThreads(3, run);

@@ -16,7 +16,7 @@ namespace {
 class LimbPairing {
 public:
   LimbPairing(const LandmarkSurface& landmarks, const SampleMap& map, const LimbExchangeSettings& settings)
-      : landmarks_(landmarks), ends_(extremitiesOf(landmarks, settings.separation, most_limbs))
+      : landmarks_(&landmarks), ends_(extremitiesOf(landmarks, settings.separation, most_limbs))
   {
     for (const Index end : ends_) {
       partners_.push_back(nearestEnd(map[static_cast<std::size_t>(end)], 0.5F * settings.separation));
@@ -34,6 +34,13 @@ public:
   {
     return static_cast<std::size_t>(
         std::count_if(partners_.begin(), partners_.end(), [](Index partner) { return partner != no_index; }));
+  }
+
+  /** Whether the ends, which are those of one surface, go to the same ones. */
+  bool
+  isSameAs(const LimbPairing& other) const
+  {
+    return partners_ == other.partners_;
   }
 
   /** Whether both stand still, or change places. */
@@ -69,7 +76,7 @@ public:
         }
       }
     }
-    return count == 0 ? landmarks_.diameter : sum / (static_cast<float>(count) * landmarks_.diameter);
+    return count == 0 ? landmarks_->diameter : sum / (static_cast<float>(count) * landmarks_->diameter);
   }
 
   /** The map that carries distances to the ends over to those to their partners. */
@@ -77,13 +84,13 @@ public:
   toMap() const
   {
     const auto columns = static_cast<Eigen::Index>(paired());
-    Eigen::MatrixXf from(landmarks_.distances.rows(), columns);
+    Eigen::MatrixXf from(landmarks_->distances.rows(), columns);
     Eigen::MatrixXf to(from.rows(), columns);
     Eigen::Index column = 0;
     for (std::size_t i = 0; i < size(); ++i) {
       if (partners_[i] != no_index) {
-        from.col(column) = landmarks_.distances.col(ends_[i]);
-        to.col(column) = landmarks_.distances.col(partnerOf(i));
+        from.col(column) = landmarks_->distances.col(ends_[i]);
+        to.col(column) = landmarks_->distances.col(partnerOf(i));
         ++column;
       }
     }
@@ -94,7 +101,7 @@ private:
   float
   distance(Index a, Index b) const
   {
-    return landmarks_.distances(a, b);
+    return landmarks_->distances(a, b);
   }
 
   Index
@@ -109,55 +116,86 @@ private:
   {
     const auto nearest = std::min_element(
         ends_.begin(), ends_.end(), [&](Index a, Index b) { return distance(landmark, a) < distance(landmark, b); });
-    return nearest != ends_.end() && distance(landmark, *nearest) <= within * landmarks_.diameter
+    return nearest != ends_.end() && distance(landmark, *nearest) <= within * landmarks_->diameter
                ? static_cast<Index>(nearest - ends_.begin())
                : no_index;
   }
 
-  const LandmarkSurface& landmarks_;
+  const LandmarkSurface* landmarks_;
   std::vector<Index> ends_;
   std::vector<Index> partners_; ///< numbers of ends
 };
 
+/** A pairing that differs from another one in two limbs. */
 struct Exchange {
-  std::size_t first = 0;
-  std::size_t second = 0;
+  LimbPairing pairing;
   float change = 0.0F;
 };
 
-/** The least change first. */
+/** Of one pairing, the least change first. */
 std::vector<Exchange>
-findExchanges(const LimbPairing& pairing, const LimbExchangeSettings& settings)
+exchangesOf(const LimbPairing& pairing)
 {
   constexpr std::size_t fewest_paired = 4; // distances to three leave left and right open
   std::vector<Exchange> exchanges;
   for (std::size_t a = 0; a < pairing.size() && pairing.paired() >= fewest_paired; ++a) {
     for (std::size_t b = a + 1; b < pairing.size(); ++b) {
       if (pairing.isExchangeable(a, b)) {
-        exchanges.push_back({a, b, pairing.exchanged(a, b).changeAt(a, b)});
+        LimbPairing exchanged = pairing.exchanged(a, b);
+        const float change = exchanged.changeAt(a, b);
+        exchanges.push_back({std::move(exchanged), change});
       }
     }
   }
   std::stable_sort(exchanges.begin(), exchanges.end(),
                    [](const Exchange& x, const Exchange& y) { return x.change < y.change; });
-  exchanges.resize(std::min(exchanges.size(), settings.exchanges));
   return exchanges;
+}
+
+bool
+contains(const std::vector<LimbPairing>& pairings, const LimbPairing& wanted)
+{
+  return std::any_of(pairings.begin(), pairings.end(),
+                     [&wanted](const LimbPairing& pairing) { return pairing.isSameAs(wanted); });
+}
+
+/** Pairings that differ from one of these in two limbs, and are none of these. */
+std::vector<LimbPairing>
+exchangedPairings(const std::vector<LimbPairing>& pairings, std::size_t of_each)
+{
+  std::vector<LimbPairing> known = pairings;
+  for (const LimbPairing& pairing : pairings) {
+    const std::vector<Exchange> exchanges = exchangesOf(pairing);
+    for (std::size_t k = 0; k < std::min(exchanges.size(), of_each); ++k) {
+      if (!contains(known, exchanges[k].pairing)) {
+        known.push_back(exchanges[k].pairing);
+      }
+    }
+  }
+  known.erase(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(pairings.size()));
+  return known;
 }
 
 } // namespace
 
 std::vector<SymmetryCandidate>
 exchangeLimbs(const SampledSurface& sampled,
-              const SampleMap& map,
+              const std::vector<SampleMap>& maps,
               const SearchSettings& search,
               const LimbExchangeSettings& settings)
 {
-  const LimbPairing pairing(sampled.landmarks, map, settings);
-  const std::vector<Exchange> exchanges = findExchanges(pairing, settings);
-  std::vector<SampleMap> maps(exchanges.size());
-  std::transform(exchanges.begin(), exchanges.end(), maps.begin(),
-                 [&](const Exchange& e) { return pairing.exchanged(e.first, e.second).toMap(); });
-  return candidatesFromMaps(sampled, std::move(maps), search);
+  std::vector<LimbPairing> pairings;
+  for (const SampleMap& map : maps) {
+    LimbPairing pairing(sampled.landmarks, map, settings);
+    if (!contains(pairings, pairing)) {
+      pairings.push_back(std::move(pairing));
+    }
+  }
+  const std::vector<LimbPairing> exchanged = exchangedPairings(pairings, settings.exchanges);
+  std::vector<SampleMap> candidates(exchanged.size());
+  std::transform(exchanged.begin(), exchanged.end(), candidates.begin(),
+                 [](const LimbPairing& pairing) { return pairing.toMap(); });
+  return candidatesFromMaps(sampled, std::move(candidates), search);
 }
 
 } // namespace symmetry
