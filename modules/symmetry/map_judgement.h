@@ -21,12 +21,15 @@ struct Contender {
   SampleEstimate samples;
 };
 
-/** \brief The candidates with the best scores.
- * \param[in] candidates the best one first; referred to, not copied
+/** \brief The candidates that promise most, see SampleRefinement::promise (), the best one first.
+ * \param[in] candidates referred to, not copied
  * \param[in] maximum at most so many
- * \param[in] margin none whose score is worse than the best one's by more */
+ * \param[in] margin none that promises less than the best one by more */
 std::vector<const SymmetryCandidate*>
-closestCandidates(const std::vector<SymmetryCandidate>& candidates, std::size_t maximum, float margin);
+closestCandidates(const SampleRefinement& refinement,
+                  const std::vector<SymmetryCandidate>& candidates,
+                  std::size_t maximum,
+                  float margin);
 
 /** \brief Refines candidates and puts them among the contenders; what fits best comes first.
  * \param[in] candidates referred to, not copied */

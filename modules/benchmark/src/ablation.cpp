@@ -88,6 +88,10 @@ ablations()
   with("fit of patches not compared", [](RobustSettings& s) { s.refinement.fit = 0.0F; });
   with("median turn not compared", [](RobustSettings& s) { s.refinement.median_turn = 0.0F; });
   with("displacement not compared", [](RobustSettings& s) { s.refinement.displacement = 0.0F; });
+  with("moved ends not compared", [](RobustSettings& s) {
+    s.refinement.moved_ends = 0.0F;
+    s.refinement.moved_ends_of_candidates = 0.0F;
+  });
   with("extremities not turned", [](RobustSettings& s) { s.refinement.extremity_radii.clear(); });
   with("reflections do not spread", [](RobustSettings& s) { s.refinement.growth.patches = 0; });
   with("not drawn to an involution", [](RobustSettings& s) { s.refinement.mutual_rounds = 0; });

@@ -111,6 +111,7 @@ contendersOf(const BenchmarkModel& model, const RunOptions& options)
       const MapEvidence evidence = judge.evidenceFor(*contender.candidate, contender.samples);
       row.confidence = mapConfidence(evidence);
       row.measures = namedMeasures(evidence);
+      row.measures.emplace_back("moved_ends", contender.samples.moved_ends);
       row.measures.emplace_back("misfit", contender.samples.value);
       if (!input.asked.empty()) {
         interpretation.estimate.partners = partnersOfPoints(sampled, contender.samples.partners);

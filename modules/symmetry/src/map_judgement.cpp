@@ -23,14 +23,23 @@ holdsEnd(const LandmarkSurface& landmarks, const std::vector<char>& marks)
 } // namespace
 
 std::vector<const SymmetryCandidate*>
-closestCandidates(const std::vector<SymmetryCandidate>& candidates, std::size_t maximum, float margin)
+closestCandidates(const SampleRefinement& refinement,
+                  const std::vector<SymmetryCandidate>& candidates,
+                  std::size_t maximum,
+                  float margin)
 {
-  std::vector<const SymmetryCandidate*> closest;
+  std::vector<std::pair<float, const SymmetryCandidate*>> order;
+  order.reserve(candidates.size());
   for (const SymmetryCandidate& candidate : candidates) {
-    if (closest.size() >= maximum || candidate.score.value > candidates[0].score.value + margin) {
+    order.emplace_back(refinement.promise(candidate), &candidate);
+  }
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<const SymmetryCandidate*> closest;
+  for (const auto& [promise, candidate] : order) {
+    if (closest.size() >= maximum || promise > order.front().first + margin) {
       break;
     }
-    closest.push_back(&candidate);
+    closest.push_back(candidate);
   }
   return closest;
 }

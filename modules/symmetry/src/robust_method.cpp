@@ -85,10 +85,11 @@ struct Hypotheses {
 
   /** Those that are worth refining: the best ones of the search, and all that are given. */
   std::vector<const SymmetryCandidate*>
-  promising(const RobustSettings& settings) const
+  promising(const SampleRefinement& refinement, const RobustSettings& settings) const
   {
-    std::vector<const SymmetryCandidate*> all = closestCandidates(
-        searched, given.empty() ? settings.contenders : settings.later_contenders, settings.contender_margin);
+    std::vector<const SymmetryCandidate*> all =
+        closestCandidates(refinement, searched, given.empty() ? settings.contenders : settings.later_contenders,
+                          settings.contender_margin);
     const std::vector<const SymmetryCandidate*> known = allOf(given);
     all.insert(all.end(), known.begin(), known.end());
     return all;
@@ -184,7 +185,7 @@ estimateRobust(const PreparedSurface& surface,
   // Refine: the candidates that come close, to the precision of the surface.
   timer.start("matching", 0.7);
   const SampleRefinement refinement(sampled, settings.refinement);
-  addContenders(refinement, hypotheses.promising(settings), contenders);
+  addContenders(refinement, hypotheses.promising(refinement, settings), contenders);
 
   // Judge: which of them fits best, and whether it is a symmetry at all.
   MapEstimate estimate = judge.verdict(contenders);

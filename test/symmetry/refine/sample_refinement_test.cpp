@@ -63,7 +63,7 @@ TEST(SampleRefinement, LeadsFromARoughMapToTheTruePartners)
   EXPECT_LT(found.value, refine(nobody_moves).value);
 }
 
-TEST(SampleRefinement, ItsValueHasTheFitOfThePatchesAndTheDisplacementInIt)
+TEST(SampleRefinement, ItsValueHasTheFitTheDisplacementAndTheMovedEndsInIt)
 {
   const CoarseBody body = coarseBody(Body::Human, 1.0);
   const SampledSurface sampled = body.sampled();
@@ -72,10 +72,27 @@ TEST(SampleRefinement, ItsValueHasTheFitOfThePatchesAndTheDisplacementInIt)
   const float fit = logMisfit(found.fits, found.fit, settings.median_turn);
   const float displacement = found.score.log_displacement;
   ASSERT_LT(displacement, -0.5F);
-  EXPECT_NEAR(found.value, found.score.value + settings.fit * fit - settings.displacement * displacement, 1e-4F);
+  ASSERT_EQ(found.moved_ends, 1.0F) << "hands and feet";
+  EXPECT_NEAR(found.value,
+              found.score.value + settings.fit * fit - settings.displacement * displacement - settings.moved_ends,
+              1e-4F);
   settings.displacement = 0.0F;
   const SampleEstimate without = SampleRefinement(sampled, settings).refine(candidateOf(body, body.trueMap()));
   EXPECT_GT(found.value, without.value + 0.2F) << "what moves less than a fifth of the diameter";
+}
+
+/** Of two candidates with the same score the one that leaves the limbs where they are promises less. */
+TEST(SampleRefinement, ACandidateThatMovesTheEndsPromisesMore)
+{
+  const CoarseBody body = coarseBody(Body::Human, 1.0);
+  const SampledSurface sampled = body.sampled();
+  const RefinementSettings settings = settingsFor(body);
+  const SampleRefinement refinement(sampled, settings);
+  SymmetryCandidate candidate = candidateOf(body, body.trueMap());
+  candidate.score.value = -1.0F;
+  EXPECT_FLOAT_EQ(refinement.promise(candidate), -1.0F - settings.moved_ends_of_candidates);
+  std::iota(candidate.map.begin(), candidate.map.end(), 0);
+  EXPECT_FLOAT_EQ(refinement.promise(candidate), -1.0F);
 }
 
 } // namespace

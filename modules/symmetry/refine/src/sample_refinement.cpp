@@ -31,6 +31,7 @@ SampleRefinement::SampleRefinement(const SampledSurface& sampled, const Refineme
       settings_(settings),
       fitting_(sampled.coarse),
       guide_(describeShape(sampled.coarse, sampled.basis, settings.guide.oriented_dimensions, settings.guide)),
+      ends_(sampled.landmarks),
       upward_(sampled.basis.functions,
               guide_,
               static_cast<Eigen::Index>(sampled.coarse.size()),
@@ -83,7 +84,8 @@ SampleRefinement::refine(const SymmetryCandidate& candidate) const
   estimate.landmark_map = mapOfLandmarks(sampled_.landmarks, estimate.map);
   estimate.score =
       scoreMap(sampled_.landmarks, guide_, estimate.landmark_map, settings_.score_queries, settings_.score);
-  estimate.value = estimate.score.value;
+  estimate.moved_ends = ends_.share(estimate.landmark_map);
+  estimate.value = estimate.score.value - settings_.moved_ends * estimate.moved_ends;
   if (!alignments_.empty()) {
     estimate.fits = alignments_.back().fits(partners);
     estimate.fit = meanOf(estimate.fits);
@@ -92,6 +94,12 @@ SampleRefinement::refine(const SymmetryCandidate& candidate) const
                       settings_.displacement * estimate.score.log_displacement;
   }
   return estimate;
+}
+
+float
+SampleRefinement::promise(const SymmetryCandidate& candidate) const
+{
+  return candidate.score.value - settings_.moved_ends_of_candidates * ends_.share(candidate.map);
 }
 
 } // namespace symmetry
