@@ -85,7 +85,7 @@ TEST(OddLimb, IsOneWhereTheRestIsSureAndTheWholeIsNot)
 {
   Interpretation first = understood(creature(Body::LameCreature, 515).surface);
   ASSERT_LT(first.estimate.map_confidence, 0.5F);
-  first.estimate.misfit -= 0.25F; // as with other numbers of samples
+  first.estimate.misfit -= 0.5F; // as with other numbers of samples, or where the odd limb has no end
   const std::optional<Interpretation> found = withoutOddLimb(first);
   ASSERT_TRUE(found);
   EXPECT_GT(found->estimate.confidence, 0.9F);
