@@ -25,9 +25,8 @@ struct LimbExchangeSettings {
  * A leg is nearly its own mirror image, so that a map that mirrors both front legs of an animal in themselves, and
  * changes the hind ones, keeps distances about as well as the right one; from few eigenfunctions, which hardly see a
  * raised leg, all hypotheses end there. So the ends of the limbs (extremities) are paired as the map has them, but for
- * two; the map that carries distances to the ends over to those to
- * their partners is refined in all eigenfunctions at once. Of each map those exchanges are tried that change distances least, unless
- * another map pairs the ends like this already.
+ * two; the map that carries distances to the ends over to those to their partners is refined in all eigenfunctions at once.
+ * Of each map those exchanges are tried that change distances least, unless another map pairs the ends like this already.
  * \param[in] maps of the landmarks, the best one first
  * \return each with its score; empty where no two limbs stand still or change places, or fewer than four ends have partners */
 std::vector<SymmetryCandidate>
